@@ -1,0 +1,34 @@
+# Every outside library, found once; Debian 12 and 13 have all of them (see packages.txt).
+find_package(Imath CONFIG REQUIRED)
+find_package(OpenEXR CONFIG REQUIRED)
+find_package(OpenImageIO CONFIG REQUIRED)
+# Debian installs the configuration beside its name, where CMake does not look by itself.
+find_package(OpenColorIO CONFIG REQUIRED HINTS /usr/share/cmake)
+find_package(TBB CONFIG REQUIRED)
+find_package(OpenCL REQUIRED)
+find_package(CGAL CONFIG REQUIRED)
+find_package(fmt CONFIG REQUIRED)
+find_package(nlohmann_json CONFIG REQUIRED)
+find_package(CLI11 CONFIG REQUIRED)
+find_package(Lua 5.4 REQUIRED)
+find_package(tinyobjloader CONFIG REQUIRED)
+find_package(TinyGLTF CONFIG REQUIRED)
+find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+
+# Embree 3 or 4, whichever there is; render/world.cpp adapts to both.
+find_package(embree 4 CONFIG QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 CONFIG REQUIRED)
+endif()
+
+# Debian's OpenImageIO and OpenColorIO name include folders that only exist where they were built.
+foreach(target OpenImageIO::OpenImageIO OpenColorIO::OpenColorIO)
+  get_target_property(folders ${target} INTERFACE_INCLUDE_DIRECTORIES)
+  set(existing "")
+  foreach(folder ${folders})
+    if(EXISTS ${folder})
+      list(APPEND existing ${folder})
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${existing}")
+endforeach()

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/mesh.h"
+#include "core/region.h"
+
+#include <memory>
+#include <utility>
+
+namespace scree {
+
+/// Index into the scene's material table; generators pass it on without looking.
+struct MaterialId {
+    std::uint32_t index = 0;
+    friend bool operator==(MaterialId, MaterialId) = default;
+};
+
+/// One component shape, shared by its instances.
+struct Prototype {
+    std::string name;
+    std::shared_ptr<const Mesh> mesh;     // in its own frame [m]
+    std::shared_ptr<const Region> region; // exclusive region, when the generator has one
+    MaterialId material;
+};
+
+/// One element of an aggregate.
+struct Instance {
+    std::uint32_t prototype = 0;
+    Matrix world_from_object;
+    float random = 0; // uniform in [0, 1), drives per-instance colour
+    float angle = 0;  // [rad] as the generator chose it; 0 where it means nothing
+    float scale = 1;
+};
+
+/// Measured facts in the order in which they are shown: counts, fractions, seconds.
+using Facts = std::vector<std::pair<std::string, double>>;
+
+/// What a generator bakes: flat instances over shared prototypes (Debian 12's Embree has one
+/// instance level).
+struct Aggregate {
+    std::string generator; // registry name, "object" for a single object
+    std::uint64_t seed = 0;
+    std::vector<Prototype> prototypes;
+    std::vector<Instance> instances;
+    std::shared_ptr<const Region> domain; // when the generator has one
+    Facts facts;
+};
+
+} // namespace scree

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/progress.h"
+
+namespace scree {
+
+class Device;
+
+/// What long work may use beside its own parameters. The seed is a parameter of each generator.
+struct Context {
+    Device* device = nullptr;       // null: data-parallel fields run as plain C++ on the host
+    const Cancel* cancel = nullptr; // null: cannot be cancelled
+    Progress progress{};            // empty: nobody watches
+
+    void check_cancel() const {
+        if (cancel != nullptr)
+            cancel->check();
+    }
+    void report(std::string_view what, double fraction) const {
+        if (progress)
+            progress(what, fraction);
+    }
+};
+
+} // namespace scree

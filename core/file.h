@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace scree {
+
+/// The whole file as bytes. Throws Error (input): missing, a folder, unreadable, or larger than
+/// `limit` bytes.
+std::string read_file(const std::string& path, std::uint64_t limit = std::uint64_t{4} << 30);
+
+/// Lets `write` make a file under a temporary name in the same folder, syncs it and renames it to
+/// `path`, so that a failed write leaves an old file whole. `write` throws on failure; then the
+/// temporary file is removed. Throws Error (resource) when the folder cannot be written.
+void write_atomically(const std::string& path,
+                      const std::function<void(const std::string& temporary_path)>& write);
+
+/// The same for bytes at hand.
+void write_file(const std::string& path, std::string_view bytes);
+
+/// Throws the Error that write_atomically would throw for this folder, before hours of work.
+void check_writable(const std::string& path);
+
+/// The ending of the file name in lower case without its dot: "exr"; "" when there is none.
+std::string extension(const std::string& path);
+
+/// The last part of the path: "toys.lua".
+std::string file_name(const std::string& path);
+
+/// `path` itself when absolute, otherwise relative to the folder of `base_file`.
+std::string resolve_path(const std::string& path, const std::string& base_file);
+
+/// 64-bit FNV-1a hash (Fowler, Noll, Vo 1991), for identity, not for security.
+std::uint64_t hash_bytes(std::string_view bytes);
+
+} // namespace scree

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Image files: the only door to OpenImageIO and OpenEXR.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// Interleaved float pixels, row 0 at the top; width * height * channels.size() values.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::string> channels; // "R", "G", "B", "A", "Y", "Z", ...
+    std::vector<float> pixels;
+
+    Image() = default;
+    Image(int w, int h, std::vector<std::string> names)
+        : width(w), height(h), channels(std::move(names)),
+          pixels(std::size_t(w) * std::size_t(h) * channels.size()) {}
+
+    float* at(int x, int y) {
+        return &pixels[(std::size_t(y) * std::size_t(width) + std::size_t(x)) * channels.size()];
+    }
+    const float* at(int x, int y) const {
+        return &pixels[(std::size_t(y) * std::size_t(width) + std::size_t(x)) * channels.size()];
+    }
+};
+
+/// One part of a multi-part EXR: "beauty", "albedo", "variance", ...
+struct ImagePart {
+    std::string name;
+    Image image;
+    bool full_float = true; // false: 16-bit half
+};
+
+using Metadata = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads a PNG, JPEG or EXR (first part) with at most 4 channels and a size limit; PNG and JPEG
+/// values are converted from sRGB to linear. Throws Error (input) naming the file.
+Image read_image(const std::string& path);
+
+/// Reads all parts of an EXR and its string metadata.
+struct ExrFile {
+    std::vector<ImagePart> parts;
+    Metadata metadata;
+};
+ExrFile read_exr(const std::string& path);
+
+/// Writes a multi-part EXR atomically (zip compressed, every part with the metadata). Throws Error
+/// (resource) on an unwritable path or a full disk.
+void write_exr(const std::string& path, std::span<const ImagePart> parts, const Metadata& metadata);
+
+/// Writes 8-bit PNG atomically; `image` has 1, 3 or 4 channels already display-encoded in [0, 1].
+/// Dithered by no more than half a step with a fixed pattern, to hide banding.
+void write_png(const std::string& path, const Image& image, const Metadata& metadata = {});
+
+} // namespace scree

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One declaration per parameter: it drives checking, `scree list`, the reference page and defaults.
+#pragma once
+
+#include "core/aggregate.h"
+#include "core/error.h"
+#include "core/procedural.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace scree {
+
+enum class ParamType {
+    boolean,
+    integer,
+    number,   // in scripts angles are degrees: unit "deg" is converted to radians on reading
+    text,     // any string
+    choice,   // one of ParamSpec::choices
+    path,     // a file, relative to the script; made absolute on reading
+    vector2,  // {x, z}
+    vector3,  // {x, y, z}
+    color,    // {r, g, b}, linear, or one number for grey
+    texture,  // color or procedural.*
+    range,    // {low, high} with low <= high, or one number for both
+    points,   // list of {x, z}
+    mesh,     // mesh.*
+    region,   // region.*
+    shape,    // mesh.* or region.*
+    material, // material.*
+    record,   // a table with ParamSpec::fields
+    list,     // a list of records with ParamSpec::fields
+};
+
+struct Range {
+    double low = 0;
+    double high = 0;
+};
+
+class Params;
+
+using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec2, Vec3,
+                           Color, Texture, Range, std::vector<Vec2>, std::shared_ptr<const Mesh>,
+                           std::shared_ptr<const Region>, MaterialId,
+                           std::shared_ptr<const std::vector<Params>>>;
+
+/// The declaration of one parameter.
+struct ParamSpec {
+    std::string name;
+    ParamType type = ParamType::number;
+    std::string doc{};           // one sentence
+    std::string unit{};          // "m", "deg", ...
+    Value fallback{};            // monostate: required, unless `optional`
+    bool optional = false;       // may be absent and then has no value
+    std::optional<double> min{}; // in the unit of scripts; holds for both ends of a range
+    std::optional<double> max{};
+    bool above_min = false; // min itself is not allowed
+    std::vector<std::string> choices{};
+    std::vector<ParamSpec> fields{};
+    std::optional<std::size_t> min_items{}; // of a list
+};
+
+/// Values by name, resolved and checked against their specs, with the place each was written.
+/// Reading a name that no spec declares, or with another type than declared, is our own mistake
+/// and asserts.
+class Params {
+  public:
+    Params() = default;
+    Params(std::string path, Location where) : path_(std::move(path)), where_(std::move(where)) {}
+
+    void set(const std::string& name, Value value, Location where = {});
+
+    bool has(const std::string& name) const; // given or defaulted
+    bool flag(const std::string& name) const;
+    std::int64_t integer(const std::string& name) const;
+    double number(const std::string& name) const;
+    const std::string& text(const std::string& name) const; // text, choice, path
+    const Vec2& vector2(const std::string& name) const;
+    const Vec3& vector3(const std::string& name) const;
+    const Color& color(const std::string& name) const;
+    const Texture& texture(const std::string& name) const;
+    const Range& range(const std::string& name) const;
+    const std::vector<Vec2>& points(const std::string& name) const;
+    std::shared_ptr<const Mesh> mesh(const std::string& name) const;
+    std::shared_ptr<const Region> region(const std::string& name) const;
+    bool is_mesh(const std::string& name) const; // which of the two a `shape` is
+    MaterialId material(const std::string& name) const;
+    const std::vector<Params>& list(const std::string& name) const;
+    const Params& record(const std::string& name) const;
+
+    const std::string& path() const { return path_; }
+    const Location& where() const { return where_; }
+    Location where(const std::string& name) const;
+
+    /// An error that names this parameter's file, line and path.
+    Error error(const std::string& name, std::string message, std::string hint = {}) const;
+
+  private:
+    struct Entry {
+        Value value;
+        Location where;
+    };
+    template <class T>
+    const T& get(const std::string& name) const;
+
+    std::string path_;
+    Location where_;
+    std::map<std::string, Entry> entries_;
+};
+
+} // namespace scree

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Counter-based random numbers: the same bytes on any number of threads.
+#pragma once
+
+#include <Random123/philox.h>
+
+#include <cstdint>
+
+namespace scree {
+
+/// What a stream is for, so that two uses of one seed never share numbers. Values are part of the
+/// output's identity: append, never renumber.
+enum class Purpose : std::uint32_t {
+    layout_dart = 1,
+    layout_sparse = 2,
+    layout_candidate = 3,
+    layout_choice = 4,
+    instance_attribute = 5,
+    mesh_shape = 6,
+    pixel_sample = 7,
+    test = 8,
+};
+
+/// A stream of uniform numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et al.
+/// 2011), a pure function of its key and position, so streams may be made anywhere in any order.
+class Random {
+  public:
+    Random(std::uint64_t seed, Purpose purpose, std::uint64_t index = 0)
+        : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
+          counter_{{0, static_cast<std::uint32_t>(purpose), static_cast<std::uint32_t>(index),
+                    static_cast<std::uint32_t>(index >> 32)}} {}
+
+    std::uint32_t bits() {
+        if (used_ == 4) {
+            block_ = r123::Philox4x32()(counter_, key_);
+            ++counter_.v[0];
+            used_ = 0;
+        }
+        return block_.v[used_++];
+    }
+
+    /// Uniform in [0, 1), 24 bits.
+    float uniform_float() { return static_cast<float>(bits() >> 8) * 0x1p-24F; }
+
+    /// Uniform in [0, 1), 53 bits.
+    double uniform() {
+        const std::uint64_t high = bits() >> 5;
+        const std::uint64_t low = bits() >> 6;
+        return static_cast<double>((high << 26) | low) * 0x1p-53;
+    }
+
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+    /// Uniform integer in [0, n), n >= 1; without modulo bias (Lemire 2019).
+    std::uint32_t below(std::uint32_t n) {
+        std::uint64_t product = std::uint64_t{bits()} * n;
+        if (static_cast<std::uint32_t>(product) < n) {
+            const std::uint32_t threshold = (0U - n) % n;
+            while (static_cast<std::uint32_t>(product) < threshold)
+                product = std::uint64_t{bits()} * n;
+        }
+        return static_cast<std::uint32_t>(product >> 32);
+    }
+
+  private:
+    r123::Philox4x32::key_type key_;
+    r123::Philox4x32::ctr_type counter_;
+    r123::Philox4x32::ctr_type block_{};
+    unsigned used_ = 4;
+};
+
+} // namespace scree

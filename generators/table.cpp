@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/table.h"
+
+#include "generators/layout/layout_generator.h"
+
+namespace scree {
+
+Registry<Bake> generator_table() {
+    Registry<Bake> table("generator");
+    table.add(layout_plugin());
+    return table;
+}
+
+} // namespace scree

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parsed scene: a tree of plain values, each with file and line; no objects yet.
+#pragma once
+
+#include "core/error.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace scree {
+
+struct Description;
+using DescriptionNode = std::shared_ptr<const Description>;
+
+/// One value of a scene. A node that a script uses twice is one node with two parents, so that a
+/// mesh named once is made once.
+struct Description {
+    using List = std::vector<DescriptionNode>;
+    using Table = std::map<std::string, DescriptionNode>; // sorted: the same order every run
+    using Data = std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Table>;
+
+    Location where;
+    std::string kind; // "mesh.file", "generator.layout", "scene"; "" for a plain value
+    Data data;
+};
+
+/// Runs a .lua scene script in a sandboxed child process, or reads a .json description.
+/// `overrides` are the values of --set; an override that no arg(...) asks for is an error.
+/// Throws Error with every mistake found.
+DescriptionNode read_description(const std::string& path,
+                                 const std::map<std::string, std::string>& overrides);
+
+/// The description as JSON text that read_description reads back to the same description.
+std::string to_json(const Description& description);
+
+} // namespace scree
