@@ -26,10 +26,11 @@ struct Prototype {
 /// One element of an aggregate.
 struct Instance {
     std::uint32_t prototype = 0;
+    // Rounded to float: a generator that promises no overlap leaves room for that rounding.
     Matrix world_from_object;
     float random = 0; // uniform in [0, 1), drives per-instance colour
-    float angle = 0;  // [rad] as the generator chose it; 0 where it means nothing
-    float scale = 1;
+    double angle = 0; // [rad] as the generator chose it; 0 where it means nothing
+    double scale = 1;
 };
 
 /// Measured facts in the order in which they are shown: counts, fractions, seconds.

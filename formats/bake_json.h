@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/aggregate.h"
+
+#include <span>
+#include <string>
+
+namespace scree {
+
+/// What a baked file says of where it came from.
+struct BakeSource {
+    std::string scene; // file name of the script
+    std::uint64_t seed = 0;
+};
+
+/// The aggregates as JSON, in metres and degrees, in the form that docs/formats.md gives. Numbers
+/// are written so that they read back to the same value.
+std::string bake_json(std::span<const Aggregate> aggregates, const BakeSource& source);
+
+} // namespace scree
