@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/camera.h"
+
+#include "core/error.h"
+
+namespace scree {
+
+Vec2f concentric_disk(const Vec2f& u) {
+    const float a = 2 * u.x - 1;
+    const float b = 2 * u.y - 1;
+    if (a == 0 && b == 0)
+        return {0.0F, 0.0F};
+    constexpr auto quarter = static_cast<float>(pi / 4);
+    if (std::abs(a) > std::abs(b)) {
+        const float angle = quarter * (b / a);
+        return {a * std::cos(angle), a * std::sin(angle)};
+    }
+    const float angle = 2 * quarter - quarter * (a / b);
+    return {b * std::cos(angle), b * std::sin(angle)};
+}
+
+CameraRays::CameraRays(const Camera& camera, int width, int height) : from_(camera.from) {
+    const Vec3 view = camera.at - camera.from;
+    if (!(is_finite(view) && view.length() > 0))
+        throw Error("camera: `at` must differ from `from`");
+    forward_ = view.normalized();
+    const Vec3 right = forward_.cross(camera.up.normalized());
+    if (!(right.length() > 1e-6F))
+        throw Error("camera: `up` must not be parallel to the view direction");
+    const Vec3 x = right.normalized();
+    const Vec3 y = x.cross(forward_);
+    const float half_height = std::tan(camera.fov / 2);
+    spread_ = 2 * half_height / static_cast<float>(height);
+    right_ = x * spread_;
+    down_ = y * -spread_;
+    corner_ = forward_ - right_ * (0.5F * static_cast<float>(width)) -
+              down_ * (0.5F * static_cast<float>(height));
+    lens_x_ = x * (camera.aperture / 2);
+    lens_y_ = y * (camera.aperture / 2);
+    focus_ = camera.focus > 0 ? camera.focus : view.length();
+}
+
+CameraRay CameraRays::ray(float x, float y, const Vec2f& lens) const {
+    const Vec3 through = corner_ + right_ * x + down_ * y;
+    const Vec2f disk = concentric_disk(lens);
+    const Vec3 offset = lens_x_ * disk.x + lens_y_ * disk.y;
+    return {from_ + offset, (through * focus_ - offset).normalized()};
+}
+
+} // namespace scree

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math.h"
+
+namespace scree {
+
+/// A thin-lens perspective camera; with aperture 0 a pinhole.
+struct Camera {
+    Vec3 from{0.0F, 1.0F, 3.0F}; // eye [m]
+    Vec3 at{0.0F, 0.0F, 0.0F};   // looked at [m]
+    Vec3 up{0.0F, 1.0F, 0.0F};
+    float fov = 0.61F;  // full vertical angle of view [rad]
+    float aperture = 0; // diameter of the lens [m]
+    float focus = 0;    // distance of the plane in focus along the view direction [m]; 0: at `at`
+};
+
+/// A ray leaving the camera.
+struct CameraRay {
+    Vec3 origin;
+    Vec3 direction; // unit length
+};
+
+/// The camera made ready for pictures of one size.
+class CameraRays {
+  public:
+    /// Throws Error (input) when `from` and `at` coincide or `up` is parallel to the view.
+    CameraRays(const Camera& camera, int width, int height);
+
+    /// Ray through the raster point (x, y) in pixels, y downwards, (0, 0) the top left corner;
+    /// `lens` is uniform in [0, 1)^2.
+    CameraRay ray(float x, float y, const Vec2f& lens) const;
+
+    /// Width of a pixel at unit distance along a ray [m/m].
+    float pixel_spread() const { return spread_; }
+
+  private:
+    Vec3 from_;
+    Vec3 right_;   // one pixel to the right on the plane at unit distance
+    Vec3 down_;    // one pixel down
+    Vec3 corner_;  // direction to the top left corner at unit distance
+    Vec3 forward_; // unit
+    Vec3 lens_x_;  // lens radius along the picture's axes
+    Vec3 lens_y_;
+    float focus_ = 1;
+    float spread_ = 0;
+};
+
+/// Maps the unit square to the unit disk, keeping areas (Shirley & Chiu 1997).
+Vec2f concentric_disk(const Vec2f& u);
+
+} // namespace scree
