@@ -4,6 +4,11 @@ include(GNUInstallDirs)
 
 function(scree_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC 12 and 14 report std::string and std::variant members that are plainly initialised
+    # (GCC bugs 105562, 105651).
+    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized -Wno-restrict)
+  endif()
 endfunction()
 
 function(scree_library name)
