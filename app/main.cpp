@@ -1,1 +1,124 @@
-int main() { return 0; }
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program: understands the command line, runs one command, turns errors into exit codes.
+#include "app/commands.h"
+#include "core/error.h"
+#include "core/progress.h"
+#include "core/version.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <new>
+
+namespace scree {
+namespace {
+
+constexpr int exit_internal = 70; // sysexits.h EX_SOFTWARE: our own mistake, not the user's
+constexpr int exit_cancelled = 130;
+
+const CLI::App& innermost(const CLI::App& app) {
+    const CLI::App* command = &app;
+    while (!command->get_subcommands().empty())
+        command = command->get_subcommands().front();
+    return *command;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    return names;
+}
+
+// CLI11 says only that an argument was not expected; name the nearest one that would have been.
+Error unknown_argument(const CLI::App& app) {
+    const CLI::App& command = innermost(app);
+    const std::vector<std::string> extras = app.remaining(true);
+    const std::string given =
+        extras.empty() ? "" : extras.front().substr(0, extras.front().find('='));
+    if (given.starts_with("-"))
+        return Error::usage(fmt::format("{}: unknown option {}", command.get_display_name(), given),
+                            did_you_mean(given, option_names(command)));
+    if (&command != &app)
+        return Error::usage(
+            fmt::format("{}: unexpected argument {}", command.get_display_name(), given));
+    std::vector<std::string> commands;
+    for (const CLI::App* sub : app.get_subcommands({}))
+        commands.push_back(sub->get_name());
+    return Error::usage("unknown command " + given, did_you_mean(given, commands));
+}
+
+// `test` and `bench` need the source tree; the launcher of a checkout handles them before us.
+void add_launcher_commands(CLI::App& app, Run& run) {
+    for (const auto& [name, what] :
+         {std::pair{"test", "Build and run the tests (from a checkout: ./scree test)."},
+          std::pair{"bench", "Print the measured tables (from a checkout: ./scree bench)."}}) {
+        CLI::App* command = app.add_subcommand(name, what);
+        command->callback([&run, name = std::string(name)] {
+            run = [name]() -> int {
+                throw Error::usage("`scree " + name + "` runs from a source checkout: ./scree " +
+                                   name);
+            };
+        });
+    }
+}
+
+int run_command_line(int argc, char** argv) {
+    CLI::App app{"Scree makes pictures of, and geometry for, things made of many small things.",
+                 "scree"};
+    app.set_version_flag("--version", "scree " SCREE_VERSION);
+    app.require_subcommand(0, 1);
+    app.footer("Example:\n  scree render scenes/toys.lua -o toys.exr\n"
+               "`scree COMMAND --help` shows a command's options with an example.");
+    Run run;
+    add_render_command(app, run);
+    add_bake_command(app, run);
+    add_view_command(app, run);
+    add_diff_command(app, run);
+    add_check_command(app, run);
+    add_list_command(app, run);
+    add_launcher_commands(app, run);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ExtrasError&) {
+        throw unknown_argument(app);
+    } catch (const CLI::ParseError& problem) {
+        if (problem.get_exit_code() == 0)
+            return app.exit(problem); // --help, --version
+        const CLI::App& command = innermost(app);
+        throw Error::usage(
+            fmt::format("{}: {}", &command == &app ? "scree" : "scree " + command.get_name(),
+                        problem.what()),
+            fmt::format("see scree{} --help", &command == &app ? "" : " " + command.get_name()));
+    }
+    if (!run) {
+        fmt::print(stderr, "{}", app.help());
+        return static_cast<int>(Fault::usage);
+    }
+    return run();
+}
+
+} // namespace
+} // namespace scree
+
+int main(int argc, char** argv) {
+    try {
+        return scree::run_command_line(argc, argv);
+    } catch (const scree::Error& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return static_cast<int>(error.fault());
+    } catch (const scree::Cancelled&) {
+        fmt::print(stderr, "cancelled\n");
+        return scree::exit_cancelled;
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "out of memory\n");
+        return static_cast<int>(scree::Fault::resource);
+    } catch (const std::exception& failure) {
+        fmt::print(stderr,
+                   "internal error: {}\nThis is a mistake in Scree itself; please report it.\n",
+                   failure.what());
+        return scree::exit_internal;
+    }
+}

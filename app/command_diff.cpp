@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands.h"
+#include "core/error.h"
+#include "core/image.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace scree {
+
+namespace {
+
+struct DiffOptions {
+    std::string a;
+    std::string b;
+    std::optional<double> max;
+};
+
+const ImagePart* find_part(const ExrFile& file, const std::string& name) {
+    for (const ImagePart& part : file.parts)
+        if (part.name == name)
+            return &part;
+    return nullptr;
+}
+
+struct Difference {
+    double rmse = 0;
+    double largest = 0;
+    int x = 0; // where it is largest
+    int y = 0;
+    double mean_z2 = 0; // mean squared difference over its variance; 1 where only noise differs
+    bool has_variance = false;
+    bool same_bits = true;
+};
+
+// Both pictures' variance parts hold the variance of the pixel's mean, so (a - b)^2 over their sum
+// has mean 1 where the pictures differ by noise alone.
+Difference compare(const ExrFile& file_a, const ExrFile& file_b) {
+    const Image& a = file_a.parts.front().image;
+    const Image& b = file_b.parts.front().image;
+    const ImagePart* variance_a = find_part(file_a, "variance");
+    const ImagePart* variance_b = find_part(file_b, "variance");
+    Difference out;
+    out.has_variance = variance_a != nullptr && variance_b != nullptr &&
+                       variance_a->image.channels.size() >= 3 &&
+                       variance_b->image.channels.size() >= 3;
+    const std::size_t channels = std::min<std::size_t>({3, a.channels.size(), b.channels.size()});
+    double sum = 0;
+    double z2 = 0;
+    std::size_t z_count = 0;
+    for (int y = 0; y < a.height; ++y) {
+        for (int x = 0; x < a.width; ++x) {
+            for (std::size_t c = 0; c < channels; ++c) {
+                const double d = double(a.at(x, y)[c]) - double(b.at(x, y)[c]);
+                out.same_bits = out.same_bits && d == 0;
+                sum += d * d;
+                if (!(std::abs(d) <= out.largest)) {
+                    out.largest = std::abs(d);
+                    out.x = x;
+                    out.y = y;
+                }
+                if (!out.has_variance)
+                    continue;
+                const double v =
+                    double(variance_a->image.at(x, y)[c]) + double(variance_b->image.at(x, y)[c]);
+                if (v <= 0)
+                    continue;
+                z2 += d * d / v;
+                ++z_count;
+            }
+        }
+    }
+    out.rmse = std::sqrt(sum / (double(a.width) * a.height * double(channels)));
+    out.mean_z2 = z_count > 0 ? z2 / double(z_count) : 0;
+    return out;
+}
+
+int diff(const DiffOptions& options) {
+    const ExrFile a = read_exr(options.a);
+    const ExrFile b = read_exr(options.b);
+    const Image& image_a = a.parts.front().image;
+    const Image& image_b = b.parts.front().image;
+    if (image_a.width != image_b.width || image_a.height != image_b.height)
+        throw Error(fmt::format("{} is {} x {} pixels and {} is {} x {}", options.a, image_a.width,
+                                image_a.height, options.b, image_b.width, image_b.height));
+    const Difference d = compare(a, b);
+    fmt::print("rmse {:.6g}, largest {:.6g} at ({}, {})", d.rmse, d.largest, d.x, d.y);
+    if (d.has_variance)
+        fmt::print(", mean squared difference over variance {:.3f}", d.mean_z2);
+    fmt::print("{}\n", d.same_bits ? ", pixels identical" : "");
+    const bool within = d.rmse <= options.max.value_or(0);
+    if (!within && options.max)
+        fmt::print("rmse is above {:.6g}\n", *options.max);
+    return within ? 0 : 1;
+}
+
+} // namespace
+
+void add_diff_command(CLI::App& app, Run& run) {
+    auto options = std::make_shared<DiffOptions>();
+    CLI::App* command = app.add_subcommand(
+        "diff", "Compare two pictures; exit code 1 when their RMSE is above --max (default 0).");
+    command->add_option("A", options->a, "First .exr")->required();
+    command->add_option("B", options->b, "Second .exr")->required();
+    command->add_option("--max", options->max, "Largest RMSE that counts as the same")
+        ->check(CLI::NonNegativeNumber);
+    command->footer("Example:\n  scree diff before.exr after.exr --max 0.01");
+    command->callback([options, &run] { run = [options] { return diff(*options); }; });
+}
+
+} // namespace scree

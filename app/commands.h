@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One file per command; each declares its options and hands back what to run.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace scree {
+
+/// What main runs once the command line is understood; returns the exit code.
+using Run = std::function<int()>;
+
+void add_render_command(CLI::App& app, Run& run);
+void add_bake_command(CLI::App& app, Run& run);
+void add_view_command(CLI::App& app, Run& run);
+void add_diff_command(CLI::App& app, Run& run);
+void add_check_command(CLI::App& app, Run& run);
+void add_list_command(CLI::App& app, Run& run);
+
+} // namespace scree

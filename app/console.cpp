@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <unistd.h>
+
+namespace scree {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double bar_interval_s = 0.1;
+constexpr double line_interval_s = 5; // where no bar can be drawn, a line now and then
+constexpr int bar_width = 24;
+
+std::atomic<Cancel*> interrupted = nullptr;
+
+void on_interrupt(int signal) {
+    if (Cancel* cancel = interrupted.load(); cancel != nullptr && !cancel->requested()) {
+        cancel->request();
+        return;
+    }
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+} // namespace
+
+Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Console::~Console() { clear(); }
+
+void Console::say(const std::string& line) {
+    if (quiet_)
+        return;
+    clear();
+    fmt::print(stderr, "{}\n", line);
+}
+
+void Console::progress(const std::string& what, double fraction, const std::string& detail) {
+    if (quiet_)
+        return;
+    if (what != last_what_) {
+        last_what_ = what;
+        started_ = Clock::now();
+        last_shown_ = Clock::now();
+        if (!terminal_)
+            return; // short work needs no line
+    } else if (seconds_since(last_shown_) < (terminal_ ? bar_interval_s : line_interval_s)) {
+        return;
+    }
+    last_shown_ = Clock::now();
+    fraction = std::clamp(fraction, 0.0, 1.0);
+    const double elapsed = seconds_since(started_);
+    const std::string left =
+        fraction > 0.01 && fraction < 1
+            ? ", " + format_duration(elapsed * (1 - fraction) / fraction) + " left"
+            : std::string();
+    if (!terminal_) {
+        fmt::print(stderr, "{} {:.0f}%{}{}\n", what, 100 * fraction, detail, left);
+        return;
+    }
+    const int full = static_cast<int>(fraction * bar_width);
+    fmt::print(stderr, "\r\x1b[K{} [{}{}] {:3.0f}%{}{}", what, std::string(full, '#'),
+               std::string(bar_width - full, '.'), 100 * fraction, detail, left);
+    std::fflush(stderr);
+    bar_shown_ = true;
+}
+
+void Console::clear() {
+    if (bar_shown_)
+        fmt::print(stderr, "\r\x1b[K");
+    bar_shown_ = false;
+}
+
+InterruptGuard::InterruptGuard(Cancel& cancel) {
+    interrupted = &cancel;
+    std::signal(SIGINT, on_interrupt);
+    std::signal(SIGTERM, on_interrupt);
+}
+
+InterruptGuard::~InterruptGuard() {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+    interrupted = nullptr;
+}
+
+std::string format_duration(double seconds) {
+    if (seconds < 60)
+        return fmt::format("{:.1f} s", seconds);
+    const auto whole = static_cast<long>(seconds + 0.5);
+    if (whole < 3600)
+        return fmt::format("{} min {} s", whole / 60, whole % 60);
+    return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+} // namespace scree

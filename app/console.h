@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/progress.h"
+
+#include <chrono>
+#include <string>
+
+namespace scree {
+
+/// What a user watches on stderr: a bar on a terminal, plain lines otherwise, nothing when quiet.
+class Console {
+  public:
+    explicit Console(bool quiet);
+    ~Console();
+    Console(const Console&) = delete;
+    Console& operator=(const Console&) = delete;
+
+    /// A line that stays.
+    void say(const std::string& line);
+
+    /// Shows how far `what` is; `detail` stands after the bar. Cheap to call often.
+    void progress(const std::string& what, double fraction, const std::string& detail = {});
+
+    /// Takes the bar away.
+    void clear();
+
+  private:
+    bool quiet_;
+    bool terminal_;
+    bool bar_shown_ = false;
+    std::string last_what_;
+    std::chrono::steady_clock::time_point last_shown_;
+    std::chrono::steady_clock::time_point started_;
+};
+
+/// Makes Ctrl-C (and SIGTERM) request `cancel` instead of ending the program; a second Ctrl-C ends
+/// it at once. One at a time.
+class InterruptGuard {
+  public:
+    explicit InterruptGuard(Cancel& cancel);
+    ~InterruptGuard();
+    InterruptGuard(const InterruptGuard&) = delete;
+    InterruptGuard& operator=(const InterruptGuard&) = delete;
+};
+
+/// "1.2 s", "3 min 20 s".
+std::string format_duration(double seconds);
+
+} // namespace scree

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/stages.h"
+#include "core/aggregate.h"
+
+#include <span>
+#include <string>
+
+namespace scree {
+
+struct RenderStats;
+
+/// The text of --stats (docs/formats.md): every stage's cost, every generator's facts, and the
+/// renderer's figures when there was a render.
+std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggregates,
+                           const RenderStats* render);
+
+} // namespace scree
