@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands.h"
+#include "core/error.h"
+#include "core/file.h"
+#include "core/image.h"
+#include "render/color.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace scree {
+
+namespace {
+
+struct ViewOptions {
+    std::string input;
+    std::string output;
+    std::string view;
+    double exposure = 0;
+};
+
+int view(const ViewOptions& options) {
+    if (extension(options.output) != "png")
+        throw Error::usage(options.output + ": expected a name that ends in .png");
+    check_writable(options.output);
+    const ExrFile file = read_exr(options.input);
+    write_png(options.output, to_display(file.parts.front().image, options.view,
+                                         static_cast<float>(options.exposure)));
+    return 0;
+}
+
+} // namespace
+
+void add_view_command(CLI::App& app, Run& run) {
+    auto options = std::make_shared<ViewOptions>();
+    CLI::App* command =
+        app.add_subcommand("view", "Turn an .exr into a .png to look at, through OpenColorIO.");
+    command->add_option("FILE", options->input, "Picture to read: .exr")->required();
+    command->add_option("-o,--output", options->output, "File to write: .png")->required();
+    command->add_option("--view", options->view, "View of the OpenColorIO configuration")
+        ->type_name("NAME");
+    command->add_option("--exposure", options->exposure, "Brighter by this many stops")
+        ->check(CLI::Range(-32.0, 32.0))
+        ->type_name("STOPS");
+    command->footer("Views of the built-in configuration: filmic (the default), standard.\n"
+                    "$OCIO names another configuration.\n"
+                    "Example:\n  scree view toys.exr -o toys.png --view standard --exposure 0.5");
+    command->callback([options, &run] { run = [options] { return view(*options); }; });
+}
+
+} // namespace scree

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a scene, bakes it and counts what came out, with nothing but the installed headers.
+#include "core/version.h"
+#include "scenes/reader/scene.h"
+
+#include <cstdio>
+#include <fstream>
+
+int main() {
+    const char* path = "consumer_scene.lua";
+    std::ofstream(path) << "return scene {\n"
+                           "  camera = camera.perspective { from = {0, 1, 1} },\n"
+                           "  objects = { generator.layout {\n"
+                           "    domain = region.rectangle { width = 1, depth = 1 },\n"
+                           "    components = { { shape = mesh.box {} } },\n"
+                           "    cancellations = 100, seed = 1 } } }\n";
+    try {
+        const scree::Scene scene = scree::resolve(scree::read_description(path, {}), path);
+        const scree::Aggregate aggregate = scene.items.front().bake(scree::Context{});
+        std::printf("scree %s placed %zu boxes\n", SCREE_VERSION, aggregate.instances.size());
+        return aggregate.instances.empty() ? 1 : 0;
+    } catch (const scree::Error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}
