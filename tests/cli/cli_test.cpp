@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program as a user meets it: exit codes, messages, files, and the same bytes on any threads.
+#include "core/file.h"
+#include "core/image.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <sys/wait.h>
+
+namespace scree {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code = -1;
+    std::string out;
+    std::string err;
+};
+
+class Cli : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "scree-cli-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder_ = name;
+        write_file(path("small.lua"), small_scene);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    /// Runs the program in the test's folder.
+    Outcome run(const std::string& arguments, const std::string& environment = "") const {
+        const std::string command = "cd '" + folder_.string() + "' && " + environment + " '" +
+                                    SCREE_PROGRAM + "' " + arguments + " >out.txt 2>err.txt";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(path("out.txt")),
+                read_file(path("err.txt"))};
+    }
+
+    static constexpr const char* small_scene =
+        "local seed = arg('seed', 3)\n"
+        "return scene {\n"
+        "  film = { width = 48, height = 32, samples = 4 },\n"
+        "  camera = camera.perspective { from = {0, 1, 1.2}, at = {0, 0, 0}, fov = 40 },\n"
+        "  lights = { light.sky {}, light.sun { direction = {1, 2, 1} } },\n"
+        "  objects = {\n"
+        "    generator.layout {\n"
+        "      method = 'fill_gap', seed = seed,\n"
+        "      domain = region.rectangle { width = 1, depth = 1 },\n"
+        "      components = { { shape = mesh.star {} }, { shape = mesh.banana {} } },\n"
+        "    },\n"
+        "    object { shape = mesh.plane { size = 4 } },\n"
+        "  },\n"
+        "}\n";
+
+    fs::path folder_;
+};
+
+TEST_F(Cli, WithoutACommandItShowsHelpAndFails) {
+    const Outcome outcome = run("");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("render"), std::string::npos);
+}
+
+TEST_F(Cli, EveryCommandHasHelpWithAnExample) {
+    for (const char* command : {"render", "bake", "view", "diff", "check", "list"}) {
+        const Outcome outcome = run(std::string(command) + " --help");
+        EXPECT_EQ(outcome.code, 0) << command;
+        EXPECT_NE(outcome.out.find("Example:\n  scree " + std::string(command)), std::string::npos)
+            << outcome.out;
+    }
+}
+
+TEST_F(Cli, UnknownCommandsAndOptionsGetTheNearestName) {
+    Outcome outcome = run("rendr small.lua");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "unknown command rendr\n  did you mean render?\n");
+    outcome = run("render small.lua --sps 4");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "scree render: unknown option --sps\n  did you mean --spp?\n");
+    outcome = run("bake small.lua --ouput=x.json");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "scree bake: unknown option --ouput\n  did you mean --output?\n");
+}
+
+TEST_F(Cli, BadValuesOfOptionsAreUsageErrors) {
+    for (const char* arguments :
+         {"render small.lua --spp 0", "render small.lua --spp many", "render small.lua --size 0x10",
+          "render small.lua --size wide", "render small.lua --crop 0,0,900,900",
+          "render small.lua --aov depth", "render small.lua --set seed", "render",
+          "render small.lua -o picture.jpg", "bake small.lua -o layout.xyz", "bake small.lua",
+          "view none.exr -o a.tiff", "list mesh.banan"}) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
+        EXPECT_FALSE(outcome.err.empty()) << arguments;
+    }
+}
+
+TEST_F(Cli, MistakesInTheInputAreOne) {
+    EXPECT_EQ(run("render none.lua").code, 1);
+    EXPECT_EQ(run("render none.lua").err, "none.lua: no such file\n");
+    const Outcome outcome = run("check small.lua --set sed=4");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("did you mean seed?"), std::string::npos) << outcome.err;
+    EXPECT_EQ(run("view small.lua -o a.png").code, 1);
+    EXPECT_EQ(run("diff small.lua small.lua").code, 1);
+}
+
+TEST_F(Cli, AnUnwritableOutputIsAResourceErrorFoundBeforeTheWork) {
+    const Outcome outcome = run("render small.lua -o no/such/folder/a.exr");
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.err, "cannot write no/such/folder/a.exr: no such folder no/such/folder\n");
+    EXPECT_EQ(run("bake small.lua -o no/such/a.json").code, 3);
+    fs::create_directory(path("folder.exr"));
+    EXPECT_EQ(run("render small.lua -o folder.exr").code, 3);
+}
+
+TEST_F(Cli, RenderWritesPictureStatsAndMetadata) {
+    const Outcome outcome =
+        run("render small.lua -o a.exr --aov albedo,N,Z,P,instance,variance --stats s.json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const ExrFile file = read_exr(path("a.exr"));
+    std::vector<std::string> parts;
+    for (const ImagePart& part : file.parts)
+        parts.push_back(part.name);
+    EXPECT_EQ(parts, (std::vector<std::string>{"beauty", "albedo", "N", "Z", "P", "instance",
+                                               "variance"}));
+    EXPECT_EQ(file.parts[0].image.width, 48);
+    bool has_settings = false;
+    for (const auto& [name, value] : file.metadata)
+        has_settings = has_settings ||
+                       (name == "scree:settings" && value.find("fill_gap") != std::string::npos);
+    EXPECT_TRUE(has_settings);
+    EXPECT_EQ(read_image(path("a.png")).width, 48);
+
+    const auto stats = nlohmann::json::parse(read_file(path("s.json")));
+    std::vector<std::string> stages;
+    for (const auto& stage : stats["stages"])
+        stages.push_back(stage["name"]);
+    EXPECT_EQ(stages, (std::vector<std::string>{"parse", "generate", "build", "render", "write"}));
+    EXPECT_EQ(stats["render"]["samples_per_pixel"], 4);
+    EXPECT_GT(stats["render"]["rays"].get<std::int64_t>(), 48 * 32 * 4);
+    EXPECT_EQ(stats["render"]["invalid_samples"], 0);
+    EXPECT_GT(stats["generators"][0]["facts"]["count"].get<double>(), 10);
+}
+
+TEST_F(Cli, SameSeedSameBytesOnOneAndTwoThreads) {
+    ASSERT_EQ(run("bake small.lua -o a.json --threads 1").code, 0);
+    ASSERT_EQ(run("bake small.lua -o b.json --threads 2").code, 0);
+    EXPECT_EQ(read_file(path("a.json")), read_file(path("b.json")));
+    ASSERT_EQ(run("bake small.lua -o c.json --set seed=4").code, 0);
+    EXPECT_NE(read_file(path("a.json")), read_file(path("c.json")));
+
+    const std::string aov = " --aov albedo,N,Z,P,instance,variance";
+    ASSERT_EQ(run("render small.lua -o a.exr --threads 1" + aov).code, 0);
+    ASSERT_EQ(run("render small.lua -o b.exr --threads 2" + aov).code, 0);
+    EXPECT_EQ(read_file(path("a.exr")), read_file(path("b.exr")));
+    EXPECT_EQ(run("diff a.exr b.exr").code, 0);
+    ASSERT_EQ(run("render small.lua -o c.exr --set seed=4").code, 0);
+    EXPECT_EQ(run("diff a.exr c.exr").code, 1);
+}
+
+TEST_F(Cli, BakedFileHoldsTheBindingKeys) {
+    ASSERT_EQ(run("bake small.lua -o a.json").code, 0);
+    const auto root = nlohmann::json::parse(read_file(path("a.json")));
+    EXPECT_EQ(root["scene"], "small.lua");
+    EXPECT_EQ(root["seed"], 3);
+    ASSERT_EQ(root["aggregates"].size(), 1U);
+    const auto& aggregate = root["aggregates"][0];
+    EXPECT_EQ(aggregate["generator"], "layout");
+    EXPECT_EQ(aggregate["domain"]["torus"], false);
+    EXPECT_EQ(aggregate["prototypes"][1]["name"], "banana");
+    EXPECT_GT(aggregate["prototypes"][0]["region"].size(), 0U);
+    EXPECT_EQ(aggregate["facts"]["count"], aggregate["instances"].size());
+    // The matrix says the same as position, angle and scale, up to float rounding.
+    for (const auto& instance : aggregate["instances"]) {
+        const auto& m = instance["matrix"];
+        ASSERT_EQ(m.size(), 12U);
+        const double angle = instance["angle"].get<double>() * 3.14159265358979323846 / 180;
+        const double scale = instance["scale"];
+        EXPECT_NEAR(m[0].get<double>(), scale * std::cos(angle), 1e-5);
+        EXPECT_NEAR(m[8].get<double>(), scale * std::sin(angle), 1e-5);
+        EXPECT_NEAR(m[5].get<double>(), scale, 1e-5);
+    }
+}
+
+TEST_F(Cli, TheSameSceneAsJsonGivesTheSamePicture) {
+    const Outcome outcome = run("check small.lua --json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    write_file(path("small.json"), outcome.out);
+    ASSERT_EQ(run("render small.lua -o a.exr").code, 0);
+    ASSERT_EQ(run("render small.json -o b.exr").code, 0);
+    EXPECT_EQ(run("diff a.exr b.exr").code, 0);
+    EXPECT_EQ(run("check small.json --json").out, outcome.out);
+}
+
+TEST_F(Cli, ViewHonoursViewsExposureAndOcio) {
+    ASSERT_EQ(run("render small.lua -o a.exr").code, 0);
+    ASSERT_EQ(run("view a.exr -o dark.png --exposure -2").code, 0);
+    ASSERT_EQ(run("view a.exr -o light.png --view standard").code, 0);
+    EXPECT_LT(read_image(path("dark.png")).at(24, 28)[1],
+              read_image(path("light.png")).at(24, 28)[1]);
+    const Outcome outcome = run("view a.exr -o x.png --view filmc");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err,
+              "there is no view filmc; there are filmic, standard\n  did you mean filmic?\n");
+    const Outcome bad = run("view a.exr -o x.png", "OCIO=none.ocio");
+    EXPECT_EQ(bad.code, 1);
+    EXPECT_NE(bad.err.find("none.ocio"), std::string::npos);
+}
+
+TEST_F(Cli, ListShowsEveryParameterFromItsDeclaration) {
+    const Outcome all = run("list");
+    EXPECT_EQ(all.code, 0);
+    for (const char* name :
+         {"mesh.banana", "mesh.file", "region.rectangle", "generator.layout", "material.glass",
+          "light.sun", "camera.perspective", "procedural.checker", "scene", "object"})
+        EXPECT_NE(all.out.find(name), std::string::npos) << name;
+    const Outcome one = run("list generator.layout");
+    EXPECT_EQ(one.code, 0);
+    for (const char* text : {"naive | fill_gap", "components[].margin", "required", "default"})
+        EXPECT_NE(one.out.find(text), std::string::npos) << text << "\n" << one.out;
+    EXPECT_EQ(run("list mesh.banan").err, "scree list: nothing is called mesh.banan\n"
+                                          "  did you mean mesh.banana?\n");
+}
+
+TEST_F(Cli, CtrlCKeepsWhatIsDone) {
+    const Outcome outcome = run("render small.lua -o a.exr --spp 100000 & pid=$!; sleep 3; "
+                                "kill -INT $pid; wait $pid");
+    EXPECT_TRUE(fs::exists(path("a.exr"))) << outcome.err;
+    EXPECT_EQ(read_exr(path("a.exr")).parts[0].image.width, 48);
+}
+
+} // namespace
+} // namespace scree
