@@ -12,9 +12,10 @@
 
 namespace scree {
 
-/// An OpenCL device with its queue and a cache of compiled kernels (in memory, and on disk under
-/// $XDG_CACHE_HOME/scree). PoCL on the CPU is the default; GPUs are used when asked for or when
-/// `name` is "gpu". Not thread-safe: one caller at a time.
+/// An OpenCL device with its queue and a cache of compiled kernels: in memory, and on disk under
+/// $XDG_CACHE_HOME/scree (else ~/.cache/scree), where a damaged or unwritable cache only costs
+/// time. PoCL on the CPU is the default; GPUs are used when asked for. Opened on first use, which
+/// is where errors come from: all throw Error (resource). Not thread-safe: one caller at a time.
 class Device {
   public:
     /// A buffer on the device; freed with its last handle.
@@ -23,21 +24,24 @@ class Device {
     using Argument = std::variant<BufferHandle, std::int32_t, std::uint32_t, std::uint64_t, float>;
 
     /// `name`: "" for the default (PoCL), "cpu", "gpu", an index of `names`, or part of a device's
-    /// name. Throws Error (resource) listing what there is.
+    /// name; if there is none such, the first use lists what there is.
     explicit Device(const std::string& name = "");
     ~Device();
     Device(Device&&) noexcept;
     Device& operator=(Device&&) noexcept;
 
-    static std::vector<std::string> names(); // "0: cpu-haswell (PoCL 3.1)", ...
+    /// "0: pthread-haswell (Portable Computing Language 3.1)", ...; empty without any device.
+    static std::vector<std::string> names();
 
-    const std::string& name() const;
+    const std::string& name() const; // the driver's name for it
 
     BufferHandle allocate(std::size_t bytes);
     void write(const BufferHandle& buffer, const void* data, std::size_t bytes);
     void read(const BufferHandle& buffer, void* data, std::size_t bytes);
 
-    /// Runs `kernel` of `source` over a 1-D or 2-D range and waits. `source` is compiled once.
+    /// Runs `kernel` of `source` over a 1-D or 2-D range and waits. `source` is OpenCL C 1.2,
+    /// compiled once, without contraction of a * b + c; the Error for one that does not compile
+    /// holds the compiler's log.
     void run(const std::string& source, const std::string& kernel,
              std::span<const std::size_t> global_size, std::span<const Argument> arguments);
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/region.h"
+#include "generators/layout/inscribed_disks.h"
+#include "generators/layout/pose.h"
+
+#include <array>
+
+namespace scree {
+
+/// Four neighbouring edges of an outline in structure-of-arrays form, one SSE register each.
+struct EdgeChunk {
+    using Float4 = float __attribute__((vector_size(16)));
+
+    Float4 from_x, from_y, to_x, to_y;
+    Float4 normal_x, normal_y;        // unit, to the right of the edge: outwards
+    Float4 offset;                    // normal . from
+    Float4 middle, half;              // along the edge: its middle's coordinate and half its length
+    float centre_x, centre_y, radius; // of a disk around all four
+    int count;                        // the rest are points at the last edge's end
+};
+
+/// A region prepared for overlap tests; its frame has the centre of the region's bounding box as
+/// origin. Values in float are rounded; `overlap` allows for that.
+class CollisionShape {
+  public:
+    explicit CollisionShape(const Region& region);
+
+    const Vec2& centre() const { return centre_; }        // in the region's frame [m]
+    double radius() const { return radius_; }             // of the circumscribed circle [m]
+    double inner_radius() const { return inner_radius_; } // of the largest inscribed disk [m]
+    double area() const { return area_; }                 // [m^2]
+    const Region& outline() const { return outline_; }    // rings only, centred, exact
+    /// One vertex of every outer ring: where they are decides what holds what, once no edges cross.
+    const std::vector<Vec2>& outer_vertices() const { return outer_vertices_; }
+
+    const std::vector<Disk>& disks() const { return disks_; }
+    const std::vector<EdgeChunk>& chunks() const { return chunks_; }
+
+    /// The disks again, in float and in fours; those that fill up lie at infinity.
+    struct DiskChunk {
+        EdgeChunk::Float4 x, y, radius;
+    };
+    const std::vector<DiskChunk>& disk_chunks() const { return disk_chunks_; }
+
+  private:
+    void add_chunks(const Ring& ring);
+
+    Vec2 centre_;
+    double radius_ = 0;
+    double inner_radius_ = 0;
+    double area_ = 0;
+    Region outline_;
+    std::vector<Vec2> outer_vertices_;
+    std::vector<Disk> disks_;
+    std::vector<DiskChunk> disk_chunks_;
+    std::vector<EdgeChunk> chunks_;
+};
+
+} // namespace scree

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/layout/placements.h"
+
+#include "generators/layout/overlap.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace scree {
+
+namespace {
+
+constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+
+int cell_of(double offset, double cell, int count) {
+    return std::clamp(static_cast<int>(std::floor(offset / cell)), 0, count - 1);
+}
+
+} // namespace
+
+Placements::Placements(const LayoutProblem& problem) : problem_(problem) {
+    // At most 4096 cells per side, 64 MiB, however small the elements; then cells hold several.
+    const Vec2 size = problem.domain.box().size();
+    smallest_cell_ = std::max(2 * problem.smallest_radius(), std::max(size.x, size.y) / 4096);
+}
+
+Placements::Level& Placements::level_of(double radius) {
+    // The first octave whose cells are at least as wide as the element.
+    std::size_t octave = 0;
+    double cell = smallest_cell_;
+    for (; cell < 2 * radius; cell *= 2)
+        ++octave;
+    if (levels_.size() <= octave)
+        levels_.resize(octave + 1);
+    Level& level = levels_[octave];
+    if (level.first.empty()) {
+        const Vec2 size = problem_.domain.box().size();
+        level.cell = cell;
+        level.width = static_cast<int>(size.x / cell) + 1;
+        level.height = static_cast<int>(size.y / cell) + 1;
+        level.first.assign(std::size_t(level.width) * std::size_t(level.height), nobody);
+    }
+    return level;
+}
+
+template <class Visit>
+bool Placements::any_near(const Vec2& point, double radius, const Visit& visit) const {
+    const Vec2 p = point - problem_.domain.box().min;
+    for (const Level& level : levels_) {
+        if (level.first.empty())
+            continue;
+        const double reach = radius + level.cell / 2;
+        const int x1 = cell_of(p.x + reach, level.cell, level.width);
+        const int y1 = cell_of(p.y + reach, level.cell, level.height);
+        for (int y = cell_of(p.y - reach, level.cell, level.height); y <= y1; ++y)
+            for (int x = cell_of(p.x - reach, level.cell, level.width); x <= x1; ++x)
+                for (std::uint32_t i =
+                         level.first[std::size_t(y) * std::size_t(level.width) + std::size_t(x)];
+                     i != nobody; i = next_[i])
+                    if (visit(i))
+                        return true;
+    }
+    return false;
+}
+
+bool Placements::is_free(const Dart& dart) {
+    const CollisionShape& shape = problem_.shapes[dart.component];
+    const double radius = shape.radius() * dart.pose.scale;
+    return !any_near(dart.pose.position, radius, [&](std::uint32_t i) {
+        const Vec2 offset = dart.pose.position - darts_[i].pose.position;
+        const double reach = radius + radii_[i];
+        if (offset.length2() > reach * reach)
+            return false;
+        ++queries_;
+        return overlap(shape, dart.pose, problem_.shapes[darts_[i].component], darts_[i].pose,
+                       offset);
+    }) && problem_.domain.accepts(shape, dart.pose);
+}
+
+bool Placements::keeps_distance(const Vec2& position, double distance) const {
+    return !any_near(position, distance, [&](std::uint32_t i) {
+        return (position - darts_[i].pose.position).length2() < distance * distance;
+    });
+}
+
+bool Placements::try_place(const Dart& dart) {
+    const bool is_placed = is_free(dart);
+    if (is_placed)
+        place(dart);
+    return is_placed;
+}
+
+void Placements::place(const Dart& dart) {
+    const double radius = problem_.shapes[dart.component].radius() * dart.pose.scale;
+    Level& level = level_of(radius);
+    const Vec2 p = dart.pose.position - problem_.domain.box().min;
+    std::uint32_t& first =
+        level.first[std::size_t(cell_of(p.y, level.cell, level.height)) * std::size_t(level.width) +
+                    std::size_t(cell_of(p.x, level.cell, level.width))];
+    next_.push_back(first);
+    first = static_cast<std::uint32_t>(darts_.size());
+    darts_.push_back(dart);
+    radii_.push_back(radius);
+}
+
+Layout Placements::layout(std::shared_ptr<const Region> domain) const {
+    Layout result;
+    for (const Dart& dart : darts_) {
+        result.component.push_back(dart.component);
+        result.position.push_back(dart.pose.position);
+        result.angle.push_back(dart.pose.angle);
+        result.scale.push_back(dart.pose.scale);
+    }
+    result.domain = std::move(domain);
+    return result;
+}
+
+} // namespace scree

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/layout/prototypes.h"
+
+#include "generators/sampling/region_tools.h"
+
+#include <fmt/format.h>
+
+namespace scree {
+
+namespace {
+
+/// The region as a flat mesh at y = 0 that faces up, with its bounding box as UV square.
+Mesh flat_mesh(const Region& region, std::string name) {
+    const Box2 box = bounds(region);
+    const Vec2 size = box.size();
+    Mesh mesh;
+    mesh.name = std::move(name);
+    for (const Vec2& v : region.vertices) {
+        mesh.positions.emplace_back(static_cast<float>(v.x), 0.0F, static_cast<float>(v.y));
+        mesh.normals.emplace_back(0.0F, 1.0F, 0.0F);
+        mesh.uvs.emplace_back(static_cast<float>((v.x - box.min.x) / size.x),
+                              static_cast<float>((v.y - box.min.y) / size.y));
+    }
+    // Counter-clockwise in (x, z) is clockwise seen from above.
+    for (const auto& t : region.triangles)
+        mesh.triangles.push_back({t[0], t[2], t[1]});
+    return mesh;
+}
+
+std::shared_ptr<const Region> own_region(const Params& component) {
+    if (component.has("region"))
+        return component.region("region");
+    if (!component.is_mesh("shape"))
+        return component.region("shape");
+    try {
+        return std::make_shared<Region>(silhouette(*component.mesh("shape")));
+    } catch (const Error& error) {
+        throw component.error("shape", error.diagnostics().front().message);
+    }
+}
+
+std::shared_ptr<const Region> with_margin(const Params& component,
+                                          std::shared_ptr<const Region> region) {
+    const double margin = component.number("margin");
+    if (margin == 0)
+        return region;
+    try {
+        return std::make_shared<Region>(offset(*region, margin));
+    } catch (const Error& error) {
+        throw component.error("margin", error.diagnostics().front().message);
+    }
+}
+
+} // namespace
+
+Components components_from(const std::vector<Params>& components) {
+    Components result;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        const Params& component = components[i];
+        Prototype prototype;
+        const std::shared_ptr<const Region> bare = own_region(component);
+        if (!(area(*bare) > 0))
+            throw component.error(component.has("region") ? "region" : "shape",
+                                  "the region has no area");
+        if (component.is_mesh("shape")) {
+            prototype.mesh = component.mesh("shape");
+        } else {
+            prototype.mesh = std::make_shared<Mesh>(
+                flat_mesh(*component.region("shape"), fmt::format("component_{}", i)));
+        }
+        prototype.name = prototype.mesh->name;
+        prototype.region = with_margin(component, bare);
+        prototype.material = component.material("material");
+        result.prototypes.push_back(std::move(prototype));
+        result.bare_areas.push_back(area(*bare));
+    }
+    return result;
+}
+
+Matrix world_from_component(const Vec2& centre, const Vec2& position, double angle, double scale,
+                            double height) {
+    const Vec2 x = rotate({scale, 0}, angle);
+    const Vec2 z = rotate({0, scale}, angle);
+    const Vec2 t = position - x * centre.x - z * centre.y;
+    const auto f = [](double value) { return static_cast<float>(value); };
+    return {f(x.x), 0, f(x.y), 0, 0,      f(scale),  0,      0,
+            f(z.x), 0, f(z.y), 0, f(t.x), f(height), f(t.y), 1};
+}
+
+} // namespace scree

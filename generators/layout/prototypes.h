@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/aggregate.h"
+#include "core/params.h"
+
+namespace scree {
+
+/// The components as prototypes with their exclusive regions.
+struct Components {
+    std::vector<Prototype> prototypes;
+    std::vector<double> bare_areas; // of the regions without margin, at scale 1 [m^2]
+};
+
+/// Reads shape, region, margin and material of each component. Throws Error, located, for a mesh
+/// without a silhouette and a margin that leaves nothing.
+Components components_from(const std::vector<Params>& components);
+
+/// Takes `centre` of a component's x-z plane to the origin, scales, turns from +x towards +z, moves
+/// to `position` and lifts by `height` [m]; y = 0 stays the ground.
+Matrix world_from_component(const Vec2& centre, const Vec2& position, double angle, double scale,
+                            double height);
+
+} // namespace scree
