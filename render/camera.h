@@ -31,6 +31,9 @@ class CameraRays {
     /// `lens` is uniform in [0, 1)^2.
     CameraRay ray(float x, float y, const Vec2f& lens) const;
 
+    /// Depth of a point along the view direction [m].
+    float depth(const Vec3& p) const { return (p - from_).dot(forward_); }
+
     /// Width of a pixel at unit distance along a ray [m/m].
     float pixel_spread() const { return spread_; }
 

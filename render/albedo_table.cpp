@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/albedo_table.h"
+
+#include "render/fresnel.h"
+#include "render/ggx.h"
+
+namespace scree {
+
+namespace {
+
+constexpr int samples_per_side = 32; // of the unit square; the integrands are smooth
+
+float single_bounce(float cosine, float alpha, float ior) {
+    const Vec3 wo(std::sqrt(std::max(0.0F, 1 - cosine * cosine)), 0.0F, cosine);
+    double sum = 0;
+    for (int i = 0; i < samples_per_side; ++i)
+        for (int j = 0; j < samples_per_side; ++j) {
+            const Vec2f u((static_cast<float>(i) + 0.5F) / samples_per_side,
+                          (static_cast<float>(j) + 0.5F) / samples_per_side);
+            const Vec3 m = ggx::sample_visible_normal(wo, alpha, u);
+            const Vec3 wi = ggx::reflect(wo, m);
+            if (wi.z <= 0)
+                continue;
+            const float facet = ior == 0 ? 1 : fresnel_dielectric(wo.dot(m), ior);
+            sum += double(facet * ggx::shadowing(wo, wi, alpha) / ggx::masking(wo, alpha));
+        }
+    return static_cast<float>(sum / (samples_per_side * samples_per_side));
+}
+
+} // namespace
+
+AlbedoTable::AlbedoTable(float alpha, float ior) {
+    for (int i = 0; i < size; ++i) {
+        // Straight along the surface the formulas divide by zero; a thousandth is near enough.
+        const float cosine = std::max(1e-3F, static_cast<float>(i) / (size - 1));
+        values_[static_cast<unsigned>(i)] = single_bounce(cosine, alpha, ior);
+    }
+    // 2 * integral of E(x) x dx over the linear pieces.
+    double sum = 0;
+    for (int i = 0; i + 1 < size; ++i) {
+        const double a = static_cast<double>(i) / (size - 1);
+        const double b = static_cast<double>(i + 1) / (size - 1);
+        const double fa = double(values_[static_cast<unsigned>(i)]);
+        const double fb = double(values_[static_cast<unsigned>(i + 1)]);
+        sum += (b - a) / 6 * (fa * a + (fa + fb) * (a + b) + fb * b);
+    }
+    average_ = static_cast<float>(2 * sum);
+}
+
+} // namespace scree

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unidirectional path tracing with next-event estimation (Kajiya 1986) and multiple importance
+// sampling (Veach & Guibas 1995).
+#pragma once
+
+#include "render/camera.h"
+#include "render/light_sampler.h"
+#include "render/sampler.h"
+#include "render/surface.h"
+#include "render/world.h"
+
+namespace scree {
+
+/// How direct light is found; all agree in the mean. `both` is best, the others are for tests.
+enum class Mis { both, light_only, bsdf_only };
+
+/// What one path brings back.
+struct PathSample {
+    Color radiance{0.0F, 0.0F, 0.0F};
+    Color albedo{0.0F, 0.0F, 0.0F}; // of the first surface; 0 for the background
+    Vec3 normal{0.0F, 0.0F, 0.0F};  // its shading normal
+    Vec3 position{0.0F, 0.0F, 0.0F};
+    float distance = 0; // along the ray [m]
+    std::uint32_t instance = Hit::none;
+    bool covered = false; // the ray met something
+};
+
+/// Work done, for the statistics.
+struct RayCount {
+    std::uint64_t rays = 0;
+    std::uint64_t* clock = nullptr; // receives the time inside Embree when given
+};
+
+/// Follows paths through a world. Thread-safe.
+class Integrator {
+  public:
+    Integrator(const World& world, std::span<const Material> materials,
+               std::span<const Light> lights, int depth, float clamp, Mis mis);
+
+    /// `spread`: width of the pixel's filter per metre of way.
+    PathSample trace(const CameraRay& ray, float spread, const Sampler& sampler,
+                     RayCount& count) const;
+
+  private:
+    struct Path;
+    void add_escaped(Path& path) const;
+    void add_light(Path& path, const Hit& hit) const;
+    void add_direct(Path& path, const Hit& hit, const Surface& surface, const Sampler& sampler,
+                    float choice, RayCount& count) const;
+    void add(Path& path, const Color& contribution, int edges) const;
+    float hit_weight(const Path& path, float light_pdf) const;
+
+    const World& world_;
+    MaterialSet materials_;
+    LightSampler lights_;
+    int depth_;
+    float clamp_;
+    Mis mis_;
+};
+
+} // namespace scree

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/render.h"
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "render/filter.h"
+#include "render/ticks.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <ctime>
+#include <mutex>
+
+#if defined(__SSE2__)
+#include <pmmintrin.h>
+#include <xmmintrin.h>
+#endif
+
+namespace scree {
+
+namespace {
+
+constexpr int tile_side = 16;           // pixels; 256 pixels keep a thread busy for milliseconds
+constexpr int longest_pass = 64;        // samples, so that limits of time and noise are met closely
+constexpr int min_samples_noise = 16;   // fewer say too little about the error
+constexpr std::size_t timed_pixel = 61; // one in so many is timed; prime: no pattern with the width
+
+// Denormals cost Embree and shading dearly and mean nothing in a picture.
+class FlushDenormals {
+  public:
+#if defined(__SSE2__)
+    FlushDenormals() { _mm_setcsr(before_ | _MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON); }
+    ~FlushDenormals() { _mm_setcsr(before_); }
+    FlushDenormals(const FlushDenormals&) = delete;
+    FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+  private:
+    unsigned before_ = _mm_getcsr();
+#endif
+};
+
+struct Tile {
+    int x0, y0, x1, y1;
+    int done = 0; // samples per pixel
+    bool finished = false;
+};
+
+std::vector<Tile> cut(int width, int height) {
+    std::vector<Tile> tiles;
+    for (int y = 0; y < height; y += tile_side)
+        for (int x = 0; x < width; x += tile_side)
+            tiles.push_back(
+                {x, y, std::min(x + tile_side, width), std::min(y + tile_side, height)});
+    return tiles;
+}
+
+Crop checked_crop(const FilmSettings& film, const std::optional<Crop>& crop) {
+    if (!crop)
+        return {0, 0, film.width, film.height};
+    if (crop->x < 0 || crop->y < 0 || crop->width < 1 || crop->height < 1 ||
+        crop->width > film.width - crop->x || crop->height > film.height - crop->y)
+        throw Error::usage("the crop " + std::to_string(crop->x) + "," + std::to_string(crop->y) +
+                           "," + std::to_string(crop->width) + "," + std::to_string(crop->height) +
+                           " is not inside of the picture of " + std::to_string(film.width) +
+                           " x " + std::to_string(film.height) + " pixels");
+    return *crop;
+}
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// One call of render().
+class Job {
+  public:
+    Job(const World& world, const RenderScene& scene, const RenderOptions& options,
+        const Context& context)
+        : options_(options), context_(context), crop_(checked_crop(scene.film, options.crop)),
+          rays_(scene.camera, scene.film.width, scene.film.height),
+          filter_(scene.film.filter, scene.film.radius),
+          integrator_(world, scene.materials, scene.lights, scene.film.depth, scene.film.clamp,
+                      options.mis),
+          samples_(options.samples > 0 ? options.samples : scene.film.samples),
+          film_(crop_.width, crop_.height), tiles_(cut(crop_.width, crop_.height)) {}
+
+    RenderResult run();
+
+  private:
+    bool cancelled() const { return context_.cancel != nullptr && context_.cancel->requested(); }
+    bool must_stop(const Tile& tile) const {
+        return cancelled() || (options_.time_limit > 0 && tile.done > 0 &&
+                               seconds_since(start_) > options_.time_limit);
+    }
+    void pass(int samples);
+    void render_tile(Tile& tile, int samples);
+    void report();
+
+    const RenderOptions& options_;
+    const Context& context_;
+    Crop crop_;
+    CameraRays rays_;
+    FilterSampler filter_;
+    Integrator integrator_;
+    int samples_;
+    Film film_;
+    std::vector<Tile> tiles_;
+    Clock::time_point start_ = Clock::now();
+    std::atomic<std::uint64_t> ray_count_ = 0;
+    std::atomic<std::uint64_t> invalid_ = 0;
+    std::atomic<std::uint64_t> embree_ticks_ = 0;
+    std::atomic<std::uint64_t> pixel_ticks_ = 0;
+    std::atomic<std::uint64_t> pixel_samples_ = 0;
+    std::mutex progress_mutex_;
+};
+
+void Job::render_tile(Tile& tile, int samples) {
+    const FlushDenormals flush;
+    RayCount count;
+    std::uint64_t embree = 0;
+    std::uint64_t whole = 0;
+    std::uint64_t invalid = 0;
+    std::uint64_t done = 0;
+    const int end = std::min(tile.done + samples, samples_);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        if (cancelled())
+            break;
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            const auto index = std::size_t(y) * std::size_t(crop_.width) + std::size_t(x);
+            count.clock = index % timed_pixel == 0 ? &embree : nullptr;
+            const std::uint64_t start = count.clock != nullptr ? ticks() : 0;
+            const int px = x + crop_.x;
+            const int py = y + crop_.y;
+            for (int s = tile.done; s < end; ++s) {
+                const Sampler sampler(options_.seed, px, py, static_cast<std::uint32_t>(s));
+                const Vec2f offset = filter_.offset(sampler.pair(dimension::film));
+                const CameraRay ray = rays_.ray(static_cast<float>(px) + 0.5F + offset.x,
+                                                static_cast<float>(py) + 0.5F + offset.y,
+                                                sampler.pair(dimension::lens));
+                const PathSample sample =
+                    integrator_.trace(ray, rays_.pixel_spread(), sampler, count);
+                if (!film_.add(x, y, sample, rays_.depth(sample.position)))
+                    ++invalid;
+            }
+            done += static_cast<std::uint64_t>(end - tile.done);
+            if (count.clock != nullptr)
+                whole += ticks() - start;
+        }
+    }
+    tile.done = end;
+    tile.finished = end >= samples_ ||
+                    (options_.noise > 0 && end >= min_samples_noise &&
+                     film_.relative_error(tile.x0, tile.y0, tile.x1, tile.y1) < options_.noise);
+    ray_count_ += count.rays;
+    invalid_ += invalid;
+    embree_ticks_ += embree;
+    pixel_ticks_ += whole;
+    pixel_samples_ += done;
+}
+
+void Job::report() {
+    if (!context_.progress)
+        return;
+    const double total = double(crop_.width) * double(crop_.height) * double(samples_);
+    const std::unique_lock lock(progress_mutex_, std::try_to_lock);
+    if (lock.owns_lock())
+        context_.report("render", std::min(1.0, double(pixel_samples_.load()) / total));
+}
+
+void Job::pass(int samples) {
+    parallel_for(tiles_.size(), 1, [&](std::size_t i) {
+        Tile& tile = tiles_[i];
+        if (tile.finished || must_stop(tile))
+            return;
+        render_tile(tile, samples);
+        report();
+    });
+}
+
+RenderResult Job::run() {
+    const std::clock_t cpu = std::clock();
+    int done = 0;
+    bool stop = false;
+    while (!stop) {
+        const int samples = std::clamp(done, 1, longest_pass);
+        pass(samples);
+        done += samples;
+        if (options_.on_pass)
+            options_.on_pass(film_, std::min(done, samples_));
+        stop = std::all_of(tiles_.begin(), tiles_.end(),
+                           [&](const Tile& tile) { return tile.finished || must_stop(tile); });
+    }
+    RenderStats stats;
+    stats.rays = ray_count_;
+    stats.seconds = seconds_since(start_);
+    stats.cpu_seconds = double(std::clock() - cpu) / CLOCKS_PER_SEC;
+    stats.embree_share =
+        pixel_ticks_ > 0 ? double(embree_ticks_.load()) / double(pixel_ticks_.load()) : 0;
+    stats.invalid_samples = invalid_;
+    stats.samples_per_pixel =
+        double(pixel_samples_.load()) / (double(crop_.width) * double(crop_.height));
+    const bool was_cancelled = cancelled();
+    return {std::move(film_), stats, was_cancelled};
+}
+
+} // namespace
+
+RenderResult render(const World& world, const RenderScene& scene, const RenderOptions& options,
+                    const Context& context) {
+    std::optional<ThreadLimit> limit;
+    if (options.threads > 0)
+        limit.emplace(options.threads);
+    return Job(world, scene, options, context).run();
+}
+
+} // namespace scree

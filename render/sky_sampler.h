@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "render/distribution.h"
+#include "render/lights.h"
+
+namespace scree {
+
+/// A sky made ready: its radiance, and directions in proportion to it.
+class SkySampler {
+  public:
+    SkySampler(const Sky& sky, bool compensate);
+
+    Color radiance(const Vec3& direction) const;
+    float pdf(const Vec3& direction) const; // per solid angle
+    Vec3 sample(const Vec2f& u, float& pdf) const;
+
+    /// Irradiance of what `sample` covers, on a surface that faces all of it [W/m^2].
+    float irradiance() const { return irradiance_; }
+
+  private:
+    Vec2f image_from_direction(const Vec3& direction) const;
+    Vec3 direction_from_image(const Vec2f& p) const;
+    Color texel(int x, int y) const;
+
+    Sky sky_;
+    bool constant_ = false;
+    float cos_rotation_ = 1;
+    float sin_rotation_ = 0;
+    Distribution2D distribution_; // over the latitude-longitude image
+    float irradiance_ = 0;
+};
+
+} // namespace scree

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/surface.h"
+
+#include "render/ggx.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace scree {
+
+namespace {
+
+// Below this the lobe is narrower than 0.1 degrees and single precision runs out: glass counts as
+// smooth, other surfaces stay here.
+constexpr float min_alpha = 1e-3F;
+
+// How far above a surface a bent direction must stay, as a cosine (0.6 degrees).
+constexpr float min_cosine = 0.01F;
+
+// Colour of the instance at the point; bends `normal` where the procedural gives a height
+// (Mikkelsen 2010: the surface gradient).
+Color paint_at(const Paint& paint, const Hit& hit, float footprint, Vec3& normal, bool& smooth) {
+    if (!paint.palette.empty()) {
+        const auto count = paint.palette.size();
+        const auto index = static_cast<std::size_t>(hit.random * static_cast<float>(count));
+        return paint.palette[std::min(index, count - 1)];
+    }
+    if (paint.texture.procedural == nullptr)
+        return paint.texture.constant;
+    const Procedural& procedural = *paint.texture.procedural;
+    ShadingPoint point{hit.object_position, footprint / hit.object_scale, hit.uv};
+    ShadingSample sample;
+    procedural.evaluate({&point, 1}, {&sample, 1});
+    if (sample.height != 0) {
+        const float step = std::max(0.5F * point.footprint, 1e-6F);
+        ShadingPoint points[3] = {point, point, point};
+        ShadingSample samples[3];
+        points[0].position.x += step;
+        points[1].position.y += step;
+        points[2].position.z += step;
+        procedural.evaluate(points, samples);
+        const Vec3 slope =
+            Vec3(samples[0].height - sample.height, samples[1].height - sample.height,
+                 samples[2].height - sample.height) /
+            step;
+        const Vec3* rows = hit.world_from_object;
+        const Vec3 yz = rows[1].cross(rows[2]);
+        const Vec3 gradient =
+            (yz * slope.x + rows[2].cross(rows[0]) * slope.y + rows[0].cross(rows[1]) * slope.z) *
+            (hit.object_scale / rows[0].dot(yz));
+        normal = unit(normal - gradient + normal * normal.dot(gradient));
+        smooth = true;
+    }
+    const auto reflectance = [](float v) { return std::clamp(v, 0.0F, 1.0F); };
+    return {reflectance(sample.color.x), reflectance(sample.color.y), reflectance(sample.color.z)};
+}
+
+// The shading normal nearest to `n` for which the viewer, and for mirrors the mirrored viewer, is
+// above the surface (Keller et al. 2017, "The Iray light transport simulation and rendering
+// system", section A.3): no black rims.
+Vec3 adapted(const Vec3& n, const Vec3& geometric, const Vec3& wo, bool mirror) {
+    if (mirror) {
+        const Vec3 mirrored = ggx::reflect(wo, n);
+        const float height = mirrored.dot(geometric);
+        if (height >= min_cosine)
+            return n;
+        return unit(wo + unit(mirrored + geometric * (min_cosine - height)));
+    }
+    const float height = wo.dot(n);
+    return height >= min_cosine ? n : unit(n + wo * (min_cosine - height));
+}
+
+} // namespace
+
+// Where the geometric normal says dark and the shading normal says lit, shade softly instead of
+// with the facets' edges (Chiang, Li & Burley 2019, "Taming the shadow terminator").
+float Surface::terminator(const Vec3& wi, const Vec3& local) const {
+    if (!smooth || local.z <= 0)
+        return 1;
+    const float g = wi.dot(normal) / (local.z * frame.z.dot(normal));
+    return g >= 1 ? 1 : g <= 0 ? 0 : g * (1 + g - g * g);
+}
+
+BsdfValue Surface::evaluate(const Vec3& wi) const {
+    const Vec3 local = frame.local_from_world(wi);
+    if ((local.z > 0) != (wi.dot(normal) > 0))
+        return {};
+    return bsdf.evaluate(wo, local, terminator(wi, local));
+}
+
+BsdfSample Surface::sample(float choice, const Vec2f& u) const {
+    BsdfSample sample = bsdf.sample(wo, choice, u);
+    if (!(sample.pdf > 0))
+        return sample;
+    const Vec3 local = sample.direction;
+    sample.direction = frame.world_from_local(local);
+    const float height = sample.direction.dot(normal);
+    if ((height > 0) == sample.transmitted) {
+        if (!sample.delta)
+            return {};
+        // The light has decided for a side; keep it there.
+        const float wanted = sample.transmitted ? -min_cosine : min_cosine;
+        sample.direction = unit(sample.direction + normal * (wanted - height));
+    } else if (smooth && (bsdf.kind == BsdfKind::matte || bsdf.kind == BsdfKind::plastic)) {
+        const BsdfValue value = bsdf.evaluate(wo, local, terminator(sample.direction, local));
+        sample.weight = value.value / sample.pdf;
+    }
+    return sample;
+}
+
+Color Surface::albedo() const {
+    const bool is_glass = bsdf.kind == BsdfKind::smooth_glass || bsdf.kind == BsdfKind::rough_glass;
+    return is_glass ? Color(1.0F, 1.0F, 1.0F) : bsdf.color;
+}
+
+MaterialSet::MaterialSet(std::span<const Material> materials) {
+    for (const Material& material : materials) {
+        Prepared prepared;
+        if (const auto* matte = std::get_if<Matte>(&material)) {
+            prepared.paint = matte->paint;
+        } else if (const auto* plastic = std::get_if<Plastic>(&material)) {
+            prepared.kind = BsdfKind::plastic;
+            prepared.paint = plastic->paint;
+            prepared.alpha = std::max(min_alpha, plastic->roughness * plastic->roughness);
+            prepared.ior = plastic->ior;
+            prepared.albedo = table(prepared.alpha, prepared.ior);
+        } else if (const auto* metal = std::get_if<Metal>(&material)) {
+            prepared.kind = BsdfKind::metal;
+            prepared.paint = metal->paint;
+            prepared.alpha = std::max(min_alpha, metal->roughness * metal->roughness);
+            prepared.albedo = table(prepared.alpha, 0);
+        } else {
+            const Glass& glass = std::get<Glass>(material);
+            prepared.alpha = glass.roughness * glass.roughness;
+            prepared.kind =
+                prepared.alpha < min_alpha ? BsdfKind::smooth_glass : BsdfKind::rough_glass;
+            prepared.ior = glass.ior;
+            prepared.absorption = glass.absorption;
+        }
+        materials_.push_back(std::move(prepared));
+    }
+}
+
+const AlbedoTable* MaterialSet::table(float alpha, float ior) {
+    return &tables_.try_emplace({alpha, ior}, alpha, ior).first->second;
+}
+
+Surface MaterialSet::surface(const Hit& hit, const Vec3& direction, float footprint) const {
+    assert(hit.material < materials_.size());
+    const Prepared& material = materials_[hit.material];
+    Surface surface;
+    surface.smooth = hit.smooth;
+    Vec3 normal = hit.shading_normal;
+    surface.bsdf.kind = material.kind;
+    surface.bsdf.color = paint_at(material.paint, hit, footprint, normal, surface.smooth);
+    surface.bsdf.alpha = material.alpha;
+    surface.bsdf.albedo = material.albedo;
+    const Vec3 wo = -direction;
+    surface.outside = wo.dot(hit.normal) > 0;
+    surface.normal = surface.outside ? hit.normal : -hit.normal;
+    surface.bsdf.eta = material.ior;
+    if (!surface.outside) {
+        normal = -normal;
+        // Only glass has an inside to look from; the coat of a plastic is on both sides.
+        if (material.kind == BsdfKind::smooth_glass || material.kind == BsdfKind::rough_glass)
+            surface.bsdf.eta = 1 / material.ior;
+    }
+    surface.inside = material.absorption;
+    if (surface.smooth)
+        normal = adapted(normal, surface.normal, wo, material.kind != BsdfKind::matte);
+    surface.frame = Frame(normal);
+    surface.wo = surface.frame.local_from_world(wo);
+    return surface;
+}
+
+} // namespace scree

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Materials made ready, and a hit turned into something that scatters light.
+#pragma once
+
+#include "render/bsdf.h"
+#include "render/frame.h"
+#include "render/materials.h"
+#include "render/world.h"
+
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// A point of a surface as seen from one direction.
+struct Surface {
+    Bsdf bsdf;
+    Frame frame{Vec3(0.0F, 0.0F, 1.0F)}; // of the shading normal, on the viewer's side
+    Vec3 normal;                         // geometric, on the viewer's side
+    Vec3 wo;                             // towards the viewer, in the frame
+    Color inside{0.0F, 0.0F, 0.0F};      // absorption behind a glass surface [1/m]
+    bool outside = true;                 // the viewer is on the outer side
+    bool smooth = false;                 // shading and geometric normal differ
+
+    /// For a direction in the world. Light that only the shading normal would let through is none.
+    BsdfValue evaluate(const Vec3& wi) const;
+
+    /// Answers a direction in the world.
+    BsdfSample sample(float choice, const Vec2f& u) const;
+
+    /// Shows what the colour is before light and angle: for the albedo picture.
+    Color albedo() const;
+
+  private:
+    float terminator(const Vec3& wi, const Vec3& local) const;
+};
+
+/// The scene's materials. Thread-safe once made.
+class MaterialSet {
+  public:
+    explicit MaterialSet(std::span<const Material> materials);
+
+    /// The surface at a hit that was reached along `direction`, seen with a filter `footprint`
+    /// wide [m].
+    Surface surface(const Hit& hit, const Vec3& direction, float footprint) const;
+
+    std::size_t size() const { return materials_.size(); }
+
+  private:
+    struct Prepared {
+        BsdfKind kind = BsdfKind::matte;
+        Paint paint;
+        float alpha = 0;
+        float ior = 1;
+        Color absorption{0.0F, 0.0F, 0.0F};
+        const AlbedoTable* albedo = nullptr;
+    };
+    const AlbedoTable* table(float alpha, float ior);
+
+    std::vector<Prepared> materials_;
+    std::map<std::pair<float, float>, AlbedoTable> tables_; // by (alpha, ior)
+};
+
+} // namespace scree

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/world.h"
+
+#include "core/error.h"
+#include "core/parallel.h"
+#include "render/embree_adapter.h"
+#include "render/ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <map>
+#include <mutex>
+#include <vector>
+
+namespace scree {
+
+namespace {
+
+struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct ReleaseScene {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+struct ReleaseGeometry {
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using DeviceHandle = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
+using SceneHandle = std::unique_ptr<RTCSceneTy, ReleaseScene>;
+using GeometryHandle = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
+
+// 64 bytes: one cache line per hit.
+struct InstanceRecord {
+    Vec3 rows[4]; // of world_from_object
+    std::uint32_t prototype;
+    float random;
+    float scale; // of lengths, mean over the axes
+    bool mirrored;
+
+    Vec3 direction(const Vec3& v) const { return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z; }
+    Vec3 point(const Vec3& v) const { return direction(v) + rows[3]; }
+    // Normals go by the cofactors, up to a positive factor.
+    Vec3 normal(const Vec3& n) const {
+        const Vec3 image = rows[1].cross(rows[2]) * n.x + rows[2].cross(rows[0]) * n.y +
+                           rows[0].cross(rows[1]) * n.z;
+        return mirrored ? -image : image;
+    }
+};
+
+struct PrototypeRecord {
+    const Mesh* mesh;
+    std::uint32_t material;
+};
+
+float largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// Bound of the rounding errors of transforming a ray into an object, intersecting there and
+// transforming the hit back, per unit of coordinate: about 30 roundings of 2^-24 (the terms of
+// Pharr, Jakob & Humphreys 2016, section 3.9), twice over for safety.
+constexpr float rounding = 0x1p-18F;
+
+} // namespace
+
+struct World::State {
+    std::atomic<std::int64_t> bytes = 0;
+    std::mutex error_mutex;
+    std::string error;
+    DeviceHandle device;
+    std::map<const Mesh*, SceneHandle> trees;
+    std::vector<std::shared_ptr<const Mesh>> meshes;
+    std::vector<PrototypeRecord> prototypes;
+    std::vector<InstanceRecord> instances;
+    std::vector<std::uint32_t> light_of_quad;
+    std::vector<Vec3> light_vertices;
+    SceneHandle scene;
+    std::size_t triangles = 0;
+    std::uint32_t materials = 0;
+
+    void check() {
+        const std::lock_guard lock(error_mutex);
+        if (!error.empty())
+            throw Error::resource("cannot build the scene for rendering: " + error);
+    }
+    SceneHandle new_scene() const {
+        SceneHandle handle(rtcNewScene(device.get()));
+        rtcSetSceneFlags(handle.get(), RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneBuildQuality(handle.get(), RTC_BUILD_QUALITY_MEDIUM);
+        return handle;
+    }
+    void open_device();
+    SceneHandle tree(const Mesh& mesh) const;
+    void add_prototypes(std::span<const Aggregate> aggregates, const Context& context);
+    void add_instances(std::span<const Aggregate> aggregates);
+    void add_lights(std::span<const Light> lights);
+    void commit(const Context& context);
+    void fill_surface(const RTCHit& found, Hit& hit) const;
+    void fill_light(const RTCHit& found, Hit& hit) const;
+};
+
+void World::State::open_device() {
+    device.reset(rtcNewDevice(nullptr));
+    if (!device)
+        throw Error::resource("cannot start Embree, the ray tracer");
+    rtcSetDeviceErrorFunction(
+        device.get(),
+        [](void* self, RTCError, const char* text) {
+            auto& state = *static_cast<State*>(self);
+            const std::lock_guard lock(state.error_mutex);
+            if (state.error.empty())
+                state.error = text != nullptr && *text != '\0' ? text : "unknown error";
+        },
+        this);
+    rtcSetDeviceMemoryMonitorFunction(
+        device.get(),
+        [](void* self, ssize_t change, bool) {
+            static_cast<State*>(self)->bytes.fetch_add(change, std::memory_order_relaxed);
+            return true;
+        },
+        this);
+}
+
+SceneHandle World::State::tree(const Mesh& mesh) const {
+    SceneHandle handle = new_scene();
+    const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    void* positions =
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(Vec3), mesh.positions.size());
+    if (positions == nullptr)
+        return handle; // the device knows why
+    std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3*>(positions));
+    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               mesh.triangles.data(), 0, sizeof(Mesh::Triangle),
+                               mesh.triangles.size());
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(handle.get(), geometry.get(), 0);
+    rtcCommitScene(handle.get());
+    return handle;
+}
+
+void World::State::add_prototypes(std::span<const Aggregate> aggregates, const Context& context) {
+    for (const Aggregate& aggregate : aggregates)
+        for (const Prototype& prototype : aggregate.prototypes) {
+            const Mesh* mesh = prototype.mesh.get();
+            prototypes.push_back({mesh, prototype.material.index});
+            materials = std::max(materials, prototype.material.index + 1);
+            if (mesh != nullptr && !mesh->triangles.empty() && trees.emplace(mesh, nullptr).second)
+                meshes.push_back(prototype.mesh);
+        }
+    parallel_for(meshes.size(), 1, [&](std::size_t i) {
+        if (context.cancel == nullptr || !context.cancel->requested())
+            trees.find(meshes[i].get())->second = tree(*meshes[i]);
+    });
+    context.check_cancel();
+    check();
+}
+
+void World::State::add_instances(std::span<const Aggregate> aggregates) {
+    std::uint32_t first_prototype = 0;
+    for (const Aggregate& aggregate : aggregates) {
+        for (const Instance& instance : aggregate.instances) {
+            assert(instance.prototype < aggregate.prototypes.size());
+            const std::uint32_t index = first_prototype + instance.prototype;
+            const Matrix& m = instance.world_from_object;
+            InstanceRecord record{};
+            for (int row = 0; row < 4; ++row)
+                record.rows[row] = {m[row][0], m[row][1], m[row][2]};
+            const float volume = record.rows[0].dot(record.rows[1].cross(record.rows[2]));
+            record.prototype = index;
+            record.random = instance.random;
+            record.scale = std::cbrt(std::abs(volume));
+            record.mirrored = volume < 0;
+            instances.push_back(record);
+        }
+        first_prototype += static_cast<std::uint32_t>(aggregate.prototypes.size());
+    }
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const InstanceRecord& record = instances[i];
+        const Mesh* mesh = prototypes[record.prototype].mesh;
+        const auto found = trees.find(mesh);
+        if (found == trees.end() || record.scale == 0)
+            continue; // nothing to see
+        triangles += mesh->triangles.size();
+        const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+        rtcSetGeometryInstancedScene(geometry.get(), found->second.get());
+        rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                                &record.rows[0]);
+        rtcCommitGeometry(geometry.get());
+        rtcAttachGeometryByID(scene.get(), geometry.get(), static_cast<unsigned>(i));
+    }
+}
+
+void World::State::add_lights(std::span<const Light> lights) {
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (const auto* area = std::get_if<AreaLight>(&lights[i])) {
+            const Vec3 corner = area->centre - (area->edge_u + area->edge_v) * 0.5F;
+            for (const Vec3& p : {corner, corner + area->edge_u,
+                                  corner + area->edge_u + area->edge_v, corner + area->edge_v})
+                light_vertices.push_back(p);
+            light_of_quad.push_back(static_cast<std::uint32_t>(i));
+        }
+    if (light_of_quad.empty())
+        return;
+    const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    void* positions =
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(Vec3), light_vertices.size());
+    void* triples =
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                sizeof(Mesh::Triangle), 2 * light_of_quad.size());
+    check();
+    std::copy(light_vertices.begin(), light_vertices.end(), static_cast<Vec3*>(positions));
+    auto* triangle = static_cast<Mesh::Triangle*>(triples);
+    for (std::uint32_t quad = 0; quad < light_of_quad.size(); ++quad) {
+        *triangle++ = {4 * quad, 4 * quad + 1, 4 * quad + 2};
+        *triangle++ = {4 * quad, 4 * quad + 2, 4 * quad + 3};
+    }
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(scene.get(), geometry.get(), static_cast<unsigned>(instances.size()));
+}
+
+void World::State::commit(const Context& context) {
+    if (context.cancel != nullptr)
+        rtcSetSceneProgressMonitorFunction(
+            scene.get(),
+            [](void* cancel, double) { return !static_cast<const Cancel*>(cancel)->requested(); },
+            const_cast<Cancel*>(context.cancel));
+    rtcCommitScene(scene.get());
+    rtcSetSceneProgressMonitorFunction(scene.get(), nullptr, nullptr);
+    context.check_cancel();
+    check();
+}
+
+World::World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
+             const Context& context)
+    : state_(std::make_unique<State>()) {
+    state_->open_device();
+    state_->scene = state_->new_scene();
+    state_->check();
+    state_->add_prototypes(aggregates, context);
+    state_->add_instances(aggregates);
+    state_->add_lights(lights);
+    state_->commit(context);
+}
+
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+void World::State::fill_surface(const RTCHit& found, Hit& hit) const {
+    const InstanceRecord& record = instances[found.instID[0]];
+    const PrototypeRecord& prototype = prototypes[record.prototype];
+    const Mesh& mesh = *prototype.mesh;
+    const auto [a, b, c] = mesh.triangles[found.primID];
+    const Vec3& pa = mesh.positions[a];
+    const Vec3& pb = mesh.positions[b];
+    const Vec3& pc = mesh.positions[c];
+    const float u = found.u;
+    const float v = found.v;
+    const float w = 1 - u - v;
+    hit.object_position = pa * w + pb * u + pc * v;
+    hit.position = record.point(hit.object_position);
+    const Vec3 facet = record.normal((pb - pa).cross(pc - pa));
+    hit.normal = facet / std::sqrt(facet.dot(facet));
+    hit.offset = rounding * (record.scale * std::max({largest(pa), largest(pb), largest(pc)}) +
+                             largest(record.rows[3]));
+    hit.shading_normal = hit.normal;
+    hit.smooth = false;
+    if (!mesh.normals.empty()) {
+        const Vec3 mixed =
+            record.normal(mesh.normals[a] * w + mesh.normals[b] * u + mesh.normals[c] * v);
+        const float square = mixed.dot(mixed);
+        // Normals that vanish or point to the other side say nothing useful.
+        if (square > 0 && mixed.dot(hit.normal) > 0) {
+            hit.shading_normal = mixed / std::sqrt(square);
+            hit.smooth = true;
+        }
+    }
+    hit.uv =
+        mesh.uvs.empty() ? Vec2f(0.0F, 0.0F) : mesh.uvs[a] * w + mesh.uvs[b] * u + mesh.uvs[c] * v;
+    hit.object_scale = record.scale;
+    hit.world_from_object = &record.rows[0];
+    hit.random = record.random;
+    hit.instance = found.instID[0];
+    hit.material = prototype.material;
+    hit.light = Hit::none;
+}
+
+void World::State::fill_light(const RTCHit& found, Hit& hit) const {
+    const std::size_t quad = found.primID / 2;
+    const Vec3& corner = light_vertices[4 * quad];
+    const Vec3 u = light_vertices[4 * quad + 1] - corner;
+    const Vec3 v = light_vertices[4 * quad + 3] - corner;
+    hit.normal = hit.shading_normal = u.cross(v).normalized();
+    hit.uv = {0.0F, 0.0F};
+    hit.object_scale = 1;
+    hit.random = 0;
+    hit.instance = Hit::none;
+    hit.material = 0;
+    hit.light = light_of_quad[quad];
+    hit.smooth = false;
+    hit.world_from_object = nullptr;
+}
+
+bool World::hit(const Ray& ray, Hit& hit, std::uint64_t* clock) const {
+    RTCRayHit query;
+    query.ray.org_x = ray.origin.x;
+    query.ray.org_y = ray.origin.y;
+    query.ray.org_z = ray.origin.z;
+    query.ray.dir_x = ray.direction.x;
+    query.ray.dir_y = ray.direction.y;
+    query.ray.dir_z = ray.direction.z;
+    query.ray.tnear = 0;
+    query.ray.tfar = ray.length;
+    query.ray.time = 0;
+    query.ray.mask = 0xffffffffU;
+    query.ray.id = 0;
+    query.ray.flags = 0;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    if (clock != nullptr) {
+        const std::uint64_t start = ticks();
+        embree::intersect(state_->scene.get(), query);
+        *clock += ticks() - start;
+    } else {
+        embree::intersect(state_->scene.get(), query);
+    }
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+        return false;
+    if (query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID) {
+        state_->fill_light(query.hit, hit);
+        hit.object_position = hit.position = ray.origin + ray.direction * query.ray.tfar;
+        hit.offset = rounding * largest(hit.position);
+    } else {
+        state_->fill_surface(query.hit, hit);
+    }
+    hit.distance = query.ray.tfar;
+    return true;
+}
+
+bool World::occluded(const Ray& ray, std::uint64_t* clock) const {
+    RTCRay query;
+    query.org_x = ray.origin.x;
+    query.org_y = ray.origin.y;
+    query.org_z = ray.origin.z;
+    query.dir_x = ray.direction.x;
+    query.dir_y = ray.direction.y;
+    query.dir_z = ray.direction.z;
+    query.tnear = 0;
+    query.tfar = ray.length;
+    query.time = 0;
+    query.mask = 0xffffffffU;
+    query.id = 0;
+    query.flags = 0;
+    if (clock != nullptr) {
+        const std::uint64_t start = ticks();
+        embree::occluded(state_->scene.get(), query);
+        *clock += ticks() - start;
+    } else {
+        embree::occluded(state_->scene.get(), query);
+    }
+    return query.tfar < 0; // Embree's sign of a hit
+}
+
+Box3 World::bounds() const {
+    RTCBounds box{};
+    rtcGetSceneBounds(state_->scene.get(), &box);
+    if (!(box.lower_x <= box.upper_x))
+        return {};
+    return {{box.lower_x, box.lower_y, box.lower_z}, {box.upper_x, box.upper_y, box.upper_z}};
+}
+
+std::size_t World::instance_count() const { return state_->instances.size(); }
+std::size_t World::triangle_count() const { return state_->triangles; }
+std::uint32_t World::material_count() const { return state_->materials; }
+
+std::size_t World::memory_bytes() const {
+    return static_cast<std::size_t>(std::max<std::int64_t>(0, state_->bytes.load())) +
+           state_->instances.size() * sizeof(InstanceRecord);
+}
+
+} // namespace scree

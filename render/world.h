@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What rays meet: the only owner of Embree's handles.
+#pragma once
+
+#include "core/aggregate.h"
+#include "core/context.h"
+#include "render/lights.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+
+namespace scree {
+
+struct Ray {
+    Vec3 origin;
+    Vec3 direction; // unit length
+    float length = std::numeric_limits<float>::infinity();
+};
+
+/// What a ray meets first.
+struct Hit {
+    static constexpr std::uint32_t none = 0xffffffffU;
+
+    Vec3 position;
+    Vec3 normal;         // geometric, unit, outwards by the order of the vertices
+    Vec3 shading_normal; // interpolated, unit, on the same side as `normal`
+    Vec3 object_position;
+    Vec2f uv;
+    float distance = 0;
+    float offset = 0;       // how far the position may be off its surface [m]
+    float object_scale = 1; // world length of a unit length of the object
+    float random = 0;       // of the instance
+    std::uint32_t instance = none;
+    std::uint32_t material = 0;
+    std::uint32_t light = none;              // index into the lights, of an area light
+    bool smooth = false;                     // shading_normal differs from normal
+    const Vec3* world_from_object = nullptr; // rows of the instance's matrix; null on lights
+
+    /// A ray that leaves the surface and cannot meet it again by rounding.
+    Ray leave(const Vec3& direction) const {
+        const float side = direction.dot(normal) > 0 ? offset : -offset;
+        return {position + normal * side, direction};
+    }
+};
+
+/// Aggregates and area lights, ready for rays. Prototypes that share a mesh share its tree.
+/// Thread-safe once built.
+class World {
+  public:
+    /// Keeps the meshes alive, not the aggregates. Throws Error (resource) when Embree runs out
+    /// of memory, Cancelled on the context's cancel.
+    World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
+          const Context& context = {});
+    ~World();
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+
+    /// The first hit along the ray, if any. Adds the time inside Embree to `*clock` if given.
+    bool hit(const Ray& ray, Hit& hit, std::uint64_t* clock = nullptr) const;
+
+    /// Whether anything lies within the ray's length.
+    bool occluded(const Ray& ray, std::uint64_t* clock = nullptr) const;
+
+    Box3 bounds() const; // empty for an empty world
+    std::size_t instance_count() const;
+    std::size_t triangle_count() const;   // after instancing
+    std::size_t memory_bytes() const;     // Embree's trees and our instances
+    std::uint32_t material_count() const; // 1 + the highest material index in use
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace scree
