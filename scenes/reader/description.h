@@ -17,10 +17,16 @@ struct Description;
 using DescriptionNode = std::shared_ptr<const Description>;
 
 /// One value of a scene. A node that a script uses twice is one node with two parents, so that a
-/// mesh named once is made once.
+/// mesh named once is made once; there are no cycles.
 struct Description {
-    using List = std::vector<DescriptionNode>;
-    using Table = std::map<std::string, DescriptionNode>; // sorted: the same order every run
+    /// A value in its holder, and the line of the holder's file where it stands: a shared value
+    /// was written elsewhere.
+    struct Item {
+        DescriptionNode value;
+        int line = 0;
+    };
+    using List = std::vector<Item>;
+    using Table = std::map<std::string, Item>; // sorted: the same order every run
     using Data = std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Table>;
 
     Location where;
@@ -34,7 +40,14 @@ struct Description {
 DescriptionNode read_description(const std::string& path,
                                  const std::map<std::string, std::string>& overrides);
 
+/// How to_json writes. Without locations the text depends on the scene alone, not on where its
+/// lines stand.
+struct JsonStyle {
+    bool locations = true;
+    bool indent = true;
+};
+
 /// The description as JSON text that read_description reads back to the same description.
-std::string to_json(const Description& description);
+std::string to_json(const Description& description, JsonStyle style = {});
 
 } // namespace scree

@@ -7,6 +7,7 @@
 #include "scenes/reader/description.h"
 
 #include <functional>
+#include <optional>
 
 namespace scree {
 
@@ -19,10 +20,10 @@ struct SceneItem {
 /// A checked scene, ready to be baked and rendered.
 struct Scene {
     std::string name;       // file name of the script: "toys.lua"
-    std::uint64_t hash = 0; // of the description's JSON
-    std::string settings;   // the description's JSON, for the picture's header
+    std::uint64_t hash = 0; // of `settings`
+    std::string settings;   // the description's JSON without locations, for the picture's header
     FilmSettings film;
-    Camera camera;
+    std::optional<Camera> camera;    // baking does without; a picture needs one
     std::vector<Material> materials; // by MaterialId; index 0 is the default material
     std::vector<Light> lights;
     std::vector<SceneItem> items;

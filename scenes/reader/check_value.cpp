@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scenes/reader/check_value.h"
+
+#include "core/file.h"
+#include "scenes/reader/words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace scree {
+
+namespace {
+
+std::optional<double> as_number(const Description& value) {
+    if (!value.kind.empty())
+        return {};
+    if (const auto* integer = std::get_if<std::int64_t>(&value.data))
+        return static_cast<double>(*integer);
+    if (const auto* number = std::get_if<double>(&value.data))
+        return *number;
+    return {};
+}
+
+class Checker {
+  public:
+    Checker(const Given& given, const ParamSpec& spec, Mistakes& mistakes)
+        : given_(given), spec_(spec), mistakes_(mistakes) {}
+
+    Value check() {
+        switch (spec_.type) {
+        case ParamType::boolean:
+            return plain<bool>();
+        case ParamType::integer:
+            return integer();
+        case ParamType::number:
+            return scalar();
+        case ParamType::text:
+            return plain<std::string>();
+        case ParamType::choice:
+            return choice();
+        case ParamType::path:
+            return path();
+        case ParamType::vector2:
+            return vector2(given_.value);
+        case ParamType::vector3:
+            return vector3();
+        case ParamType::color:
+            return color();
+        case ParamType::range:
+            return range();
+        case ParamType::points:
+            return points();
+        default:
+            throw std::logic_error(given_.path + ": is no plain value");
+        }
+    }
+
+  private:
+    Value mistake(std::string message, std::string hint = {}) {
+        mistakes_.add(given_.where, given_.path, std::move(message), std::move(hint));
+        return {};
+    }
+
+    Value wrong_type() {
+        return mistake(
+            fmt::format("expected {}, got {}", type_in_words(spec_), in_words(given_.value)));
+    }
+
+    double to_internal(double number) const {
+        return spec_.unit == "deg" ? radians(number) : number;
+    }
+
+    bool in_range(double number) const {
+        if (spec_.min && (spec_.above_min ? number <= *spec_.min : number < *spec_.min))
+            return false;
+        return !spec_.max || number <= *spec_.max;
+    }
+
+    // Notes what is wrong with a number of this parameter: not finite, or out of range.
+    bool fine(double number) {
+        if (!std::isfinite(number)) {
+            mistake(std::isnan(number) ? "is not a number; was zero divided by zero?"
+                                       : "is infinite; was something divided by zero?");
+            return false;
+        }
+        if (in_range(number))
+            return true;
+        const bool millimetres = spec_.unit == "m" && in_range(number / 1000);
+        mistake(fmt::format("{} is out of range; expected {}", in_words(number, spec_.unit),
+                            limits_in_words(spec_)),
+                millimetres ? fmt::format("did you mean mm({})?", in_words(number)) : "");
+        return false;
+    }
+
+    template <class T>
+    Value plain() {
+        const T* value = given_.value.kind.empty() ? std::get_if<T>(&given_.value.data) : nullptr;
+        return value == nullptr ? wrong_type() : Value(*value);
+    }
+
+    Value scalar() {
+        const std::optional<double> number = as_number(given_.value);
+        if (!number)
+            return wrong_type();
+        return fine(*number) ? Value(to_internal(*number)) : Value();
+    }
+
+    Value integer() {
+        const std::optional<double> number = as_number(given_.value);
+        if (!number)
+            return wrong_type();
+        if (!fine(*number))
+            return {};
+        if (const auto* exact = std::get_if<std::int64_t>(&given_.value.data))
+            return *exact;
+        constexpr double largest = 9007199254740992.0; // 2^53: beyond it doubles skip integers
+        if (*number != std::floor(*number) || std::abs(*number) > largest)
+            return wrong_type();
+        return static_cast<std::int64_t>(*number);
+    }
+
+    Value choice() {
+        const auto* text =
+            given_.value.kind.empty() ? std::get_if<std::string>(&given_.value.data) : nullptr;
+        if (text == nullptr)
+            return wrong_type();
+        if (std::find(spec_.choices.begin(), spec_.choices.end(), *text) != spec_.choices.end())
+            return *text;
+        return mistake(fmt::format("expected {}, got \"{}\"", one_of(spec_.choices), *text),
+                       did_you_mean(*text, spec_.choices));
+    }
+
+    Value path() {
+        const Value text = plain<std::string>();
+        if (std::holds_alternative<std::monostate>(text))
+            return text;
+        const auto& name = std::get<std::string>(text);
+        if (name.empty())
+            return mistake("expected the path of a file, got an empty text");
+        std::error_code code;
+        const auto absolute =
+            std::filesystem::absolute(resolve_path(name, given_.value.where.file), code);
+        return code ? name : absolute.lexically_normal().string();
+    }
+
+    // `count` finite numbers of a list; empty after a mistake.
+    std::vector<double> numbers(const Description& from, std::size_t count) {
+        const auto* list = from.kind.empty() ? std::get_if<Description::List>(&from.data) : nullptr;
+        std::vector<double> out;
+        if (list != nullptr && list->size() == count)
+            for (const Description::Item& item : *list)
+                if (const std::optional<double> number = as_number(*item.value))
+                    out.push_back(*number);
+        if (out.size() != count) {
+            wrong_type();
+            return {};
+        }
+        for (const double number : out)
+            if (!fine(number))
+                return {};
+        return out;
+    }
+
+    Value vector2(const Description& from) {
+        const std::vector<double> n = numbers(from, 2);
+        return n.empty() ? Value() : Value(Vec2(to_internal(n[0]), to_internal(n[1])));
+    }
+
+    Value vector3() {
+        const std::vector<double> n = numbers(given_.value, 3);
+        if (n.empty())
+            return {};
+        return Vec3(static_cast<float>(to_internal(n[0])), static_cast<float>(to_internal(n[1])),
+                    static_cast<float>(to_internal(n[2])));
+    }
+
+    Value color() {
+        if (const std::optional<double> grey = as_number(given_.value))
+            return fine(*grey) ? Value(Color(static_cast<float>(*grey))) : Value();
+        const std::vector<double> n = numbers(given_.value, 3);
+        if (n.empty())
+            return {};
+        return Color(static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2]));
+    }
+
+    Value range() {
+        if (const std::optional<double> both = as_number(given_.value)) {
+            const double value = to_internal(*both);
+            return fine(*both) ? Value(Range{value, value}) : Value();
+        }
+        const std::vector<double> n = numbers(given_.value, 2);
+        if (n.empty())
+            return {};
+        if (n[0] > n[1])
+            return mistake(fmt::format("expected {{low, high}} with low <= high, got {}",
+                                       in_words(given_.value)));
+        return Range{to_internal(n[0]), to_internal(n[1])};
+    }
+
+    Value points() {
+        const auto* list = given_.value.kind.empty()
+                               ? std::get_if<Description::List>(&given_.value.data)
+                               : nullptr;
+        if (list == nullptr)
+            return wrong_type();
+        std::vector<Vec2> out;
+        const ParamSpec point{.name = spec_.name,
+                              .type = ParamType::vector2,
+                              .unit = spec_.unit,
+                              .min = spec_.min,
+                              .max = spec_.max,
+                              .above_min = spec_.above_min};
+        for (std::size_t i = 0; i < list->size(); ++i) {
+            const Description::Item& item = (*list)[i];
+            const Given one{*item.value,
+                            {given_.value.where.file, item.line},
+                            fmt::format("{}[{}]", given_.path, i + 1)};
+            const Value value = Checker(one, point, mistakes_).check();
+            if (const auto* vector = std::get_if<Vec2>(&value))
+                out.push_back(*vector);
+        }
+        if (spec_.min_items && list->size() < *spec_.min_items)
+            return mistake(
+                fmt::format("expected at least {} points, got {}", *spec_.min_items, list->size()));
+        return out.size() == list->size() ? Value(std::move(out)) : Value();
+    }
+
+    const Given& given_;
+    const ParamSpec& spec_;
+    Mistakes& mistakes_;
+};
+
+} // namespace
+
+Value check_value(const Given& given, const ParamSpec& spec, Mistakes& mistakes) {
+    return Checker(given, spec, mistakes).check();
+}
+
+Value default_value(const ParamSpec& spec) {
+    const Value& given = spec.fallback;
+    const auto* integer = std::get_if<std::int64_t>(&given);
+    const auto* number = std::get_if<double>(&given);
+    switch (spec.type) {
+    case ParamType::number:
+        return integer != nullptr ? Value(static_cast<double>(*integer)) : given;
+    case ParamType::integer:
+        return number != nullptr ? Value(static_cast<std::int64_t>(*number)) : given;
+    case ParamType::texture:
+        if (const auto* color = std::get_if<Color>(&given))
+            return Texture{*color, nullptr};
+        return given;
+    case ParamType::range:
+        return number != nullptr ? Value(Range{*number, *number}) : given;
+    default:
+        return given;
+    }
+}
+
+} // namespace scree

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plain values against their declarations: numbers, texts, vectors, colours, ranges.
+#pragma once
+
+#include "core/params.h"
+#include "scenes/reader/description.h"
+#include "scenes/reader/mistakes.h"
+
+namespace scree {
+
+/// A value with what messages about it need.
+struct Given {
+    const Description& value;
+    Location where;   // of the field
+    std::string path; // "generator.rocks.radius"
+};
+
+/// The value in the program's units, or monostate after noting what is wrong with it. For the types
+/// that stand for themselves, not for meshes, records and the like.
+Value check_value(const Given& given, const ParamSpec& spec, Mistakes& mistakes);
+
+/// A declaration's default as the value of its type.
+Value default_value(const ParamSpec& spec);
+
+} // namespace scree

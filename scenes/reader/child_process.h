@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A forked child under limits that talks to its parent through a pipe.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace scree {
+
+/// The child's end of the pipe. A message is a letter and some bytes.
+class Channel {
+  public:
+    explicit Channel(int descriptor) : descriptor_(descriptor) {}
+
+    /// Async-signal-safe.
+    void send(char type, std::string_view bytes) const noexcept;
+
+  private:
+    int descriptor_;
+};
+
+/// Limits of the operating system: a backstop behind the finer limits of what runs in the child.
+struct ChildLimits {
+    double cpu_seconds = 20;
+    double wall_seconds = 60;
+    std::size_t memory = std::size_t{1} << 30; // beyond what the parent maps [bytes]
+};
+
+/// How the child ended.
+enum class ChildEnd { done, time, interrupted, crashed };
+
+/// Runs `body` in a forked child that cannot write files or start processes, and gives every
+/// message to `receive`. The child ends when `body` returns. Throws Error (resource) when there
+/// can be no child.
+ChildEnd run_in_child(const ChildLimits& limits, const std::function<void(const Channel&)>& body,
+                      const std::function<void(char type, std::string bytes)>& receive);
+
+} // namespace scree

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace scree {
+
+/// Collects mistakes, so that a user sees all of them at once.
+class Mistakes {
+  public:
+    void add(Location where, std::string path, std::string message, std::string hint = {}) {
+        diagnostics_.push_back(
+            {std::move(where), std::move(path), std::move(message), std::move(hint)});
+    }
+
+    /// Takes over what a plug-in found; it may not know where its values were written.
+    void add(const Error& error, const Location& where, const std::string& path) {
+        for (Diagnostic d : error.diagnostics()) {
+            if (d.where.file.empty())
+                d.where = where;
+            if (d.path.empty())
+                d.path = path;
+            diagnostics_.push_back(std::move(d));
+        }
+    }
+
+    std::size_t count() const { return diagnostics_.size(); }
+
+    /// Throws what was collected, by file and line, each mistake once; the rest beyond `most` is
+    /// counted.
+    void throw_if_any(std::size_t most = 50) {
+        if (diagnostics_.empty())
+            return;
+        const auto key = [](const Diagnostic& d) {
+            return std::tie(d.where.file, d.where.line, d.path, d.message);
+        };
+        std::stable_sort(diagnostics_.begin(), diagnostics_.end(),
+                         [&](const auto& a, const auto& b) { return key(a) < key(b); });
+        diagnostics_.erase(
+            std::unique(diagnostics_.begin(), diagnostics_.end(),
+                        [&](const auto& a, const auto& b) { return key(a) == key(b); }),
+            diagnostics_.end());
+        if (diagnostics_.size() > most) {
+            const std::size_t more = diagnostics_.size() - most;
+            diagnostics_.resize(most);
+            diagnostics_.push_back({{diagnostics_.back().where.file, 0},
+                                    {},
+                                    "and " + std::to_string(more) + " more mistakes",
+                                    {}});
+        }
+        throw Error(Fault::input, std::move(diagnostics_));
+    }
+
+  private:
+    std::vector<Diagnostic> diagnostics_;
+};
+
+} // namespace scree

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scenes/reader/words.h"
+
+#include <fmt/format.h>
+
+namespace scree {
+
+std::string in_words(double number, const std::string& unit) {
+    return fmt::format("{}{}{}", number, unit.empty() ? "" : " ", unit);
+}
+
+std::string in_words(const Description& given, const std::string& unit) {
+    if (!given.kind.empty())
+        return given.kind;
+    struct Visitor {
+        const std::string& unit;
+        std::string operator()(std::monostate) const { return "nothing"; }
+        std::string operator()(bool value) const { return value ? "true" : "false"; }
+        std::string operator()(std::int64_t value) const {
+            return fmt::format("{}{}{}", value, unit.empty() ? "" : " ", unit);
+        }
+        std::string operator()(double value) const { return in_words(value, unit); }
+        std::string operator()(const std::string& value) const {
+            constexpr std::size_t enough = 60;
+            return fmt::format("the text \"{}\"",
+                               value.size() <= enough ? value : value.substr(0, enough) + "...");
+        }
+        std::string operator()(const Description::List& list) const {
+            std::string items;
+            for (const Description::Item& item : list) {
+                const bool plain = item.value->kind.empty() &&
+                                   (std::holds_alternative<double>(item.value->data) ||
+                                    std::holds_alternative<std::int64_t>(item.value->data));
+                if (!plain || list.size() > 4)
+                    return list.empty() ? "{}" : fmt::format("a list of {}", list.size());
+                items += (items.empty() ? "" : ", ") + in_words(*item.value);
+            }
+            return "{" + items + "}";
+        }
+        std::string operator()(const Description::Table& table) const {
+            return table.empty() ? "{}"
+                                 : fmt::format("a table with the field {}", table.begin()->first);
+        }
+    };
+    return std::visit(Visitor{unit}, given.data);
+}
+
+std::string one_of(const std::vector<std::string>& names) {
+    std::string out;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        out += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+    return out;
+}
+
+std::string limits_in_words(const ParamSpec& spec) {
+    const std::string unit = spec.unit.empty() ? "" : " " + spec.unit;
+    if (spec.min && spec.max)
+        return spec.above_min
+                   ? fmt::format("more than {} and at most {}{}", *spec.min, *spec.max, unit)
+                   : fmt::format("{} to {}{}", *spec.min, *spec.max, unit);
+    if (spec.min)
+        return fmt::format("{} {}{}", spec.above_min ? "more than" : "at least", *spec.min, unit);
+    return fmt::format("at most {}{}", *spec.max, unit);
+}
+
+std::string type_in_words(const ParamSpec& spec) {
+    switch (spec.type) {
+    case ParamType::boolean:
+        return "true or false";
+    case ParamType::integer:
+        return "a whole number";
+    case ParamType::number:
+        return "a number";
+    case ParamType::text:
+        return "a text";
+    case ParamType::choice:
+        return one_of(spec.choices);
+    case ParamType::path:
+        return "the path of a file";
+    case ParamType::vector2:
+        return "{x, z}";
+    case ParamType::vector3:
+        return "{x, y, z}";
+    case ParamType::color:
+        return "{r, g, b} or a number";
+    case ParamType::texture:
+        return "{r, g, b}, a number or a procedural.*";
+    case ParamType::range:
+        return "{low, high} or a number";
+    case ParamType::points:
+        return "a list of {x, z}";
+    case ParamType::mesh:
+        return "a mesh.*";
+    case ParamType::region:
+        return "a region.*";
+    case ParamType::shape:
+        return "a mesh.* or region.*";
+    case ParamType::material:
+        return "a material.*";
+    case ParamType::record:
+        return "a table with named fields";
+    case ParamType::list:
+        return "a list";
+    }
+    return {};
+}
+
+} // namespace scree
