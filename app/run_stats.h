@@ -11,9 +11,16 @@ namespace scree {
 
 struct RenderStats;
 
+/// What a render adds to the stats.
+struct RenderFigures {
+    const RenderStats* stats = nullptr;
+    std::size_t instances = 0;
+    std::size_t scene_bytes = 0;
+};
+
 /// The text of --stats (docs/formats.md): every stage's cost, every generator's facts, and the
 /// renderer's figures when there was a render.
 std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggregates,
-                           const RenderStats* render);
+                           const RenderFigures* render);
 
 } // namespace scree

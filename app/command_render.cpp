@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands.h"
+#include "app/load.h"
+#include "app/run_stats.h"
+#include "core/file.h"
+#include "core/parallel.h"
+#include "core/version.h"
+#include "render/color.h"
+#include "render/render.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+
+namespace scree {
+
+namespace {
+
+const std::array<std::string, 6> aov_names{"albedo", "N", "Z", "P", "instance", "variance"};
+
+struct RenderCommand {
+    SceneOptions scene;
+    std::string output;
+    std::string stats;
+    std::string size;
+    std::string crop;
+    std::vector<std::string> aovs;
+    std::string view;
+    int samples = 0;
+    double time_limit = 0;
+    double noise = 0;
+    std::uint64_t seed = 0;
+};
+
+void parse_size(const std::string& text, FilmSettings& film) {
+    int width = 0;
+    int height = 0;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 ||
+        height < 1 || width > 32768 || height > 32768)
+        throw Error::usage("--size " + text + ": expected WIDTHxHEIGHT in pixels, up to 32768",
+                           "for example --size 1280x720");
+    film.width = width;
+    film.height = height;
+}
+
+Crop parse_crop(const std::string& text, const FilmSettings& film) {
+    Crop crop;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &crop.x, &crop.y, &crop.width, &crop.height,
+                    &rest) != 4 ||
+        crop.x < 0 || crop.y < 0 || crop.width < 1 || crop.height < 1 ||
+        crop.width > film.width - crop.x || crop.height > film.height - crop.y)
+        throw Error::usage(fmt::format("--crop {}: expected x,y,width,height within {} x {} pixels",
+                                       text, film.width, film.height));
+    return crop;
+}
+
+void check_aovs(const std::vector<std::string>& aovs) {
+    for (const std::string& name : aovs)
+        if (std::find(aov_names.begin(), aov_names.end(), name) == aov_names.end())
+            throw Error::usage(
+                fmt::format("--aov {}: expected {}", name, fmt::join(aov_names, ", ")),
+                did_you_mean(name, aov_names));
+}
+
+std::string output_of(const RenderCommand& command) {
+    if (command.output.empty()) {
+        const std::string script = file_name(command.scene.path);
+        return script.substr(0, script.rfind('.')) + ".exr";
+    }
+    if (extension(command.output) != "exr")
+        throw Error::usage(command.output + ": expected a name that ends in .exr",
+                           "the PNG to look at is written beside it");
+    return command.output;
+}
+
+std::string png_beside(const std::string& exr) { return exr.substr(0, exr.size() - 3) + "png"; }
+
+// What made the picture; no times, so that the same scene gives the same bytes.
+Metadata metadata_of(const Scene& scene, const std::vector<Aggregate>& aggregates,
+                     const RenderCommand& command, const RenderStats& stats) {
+    std::string seeds;
+    for (const Aggregate& aggregate : aggregates)
+        if (aggregate.generator != "object")
+            seeds += (seeds.empty() ? "" : ",") + std::to_string(aggregate.seed);
+    return {{"scree:version", SCREE_VERSION},
+            {"scree:scene", scene.name},
+            {"scree:hash", fmt::format("{:016x}", scene.hash)},
+            {"scree:seed", seeds},
+            {"scree:render_seed", std::to_string(command.seed)},
+            {"scree:samples", fmt::format("{:g}", stats.samples_per_pixel)},
+            {"scree:settings", scene.settings}};
+}
+
+void write_pictures(const std::string& output, const RenderResult& result, const Scene& scene,
+                    const Metadata& metadata, const RenderCommand& command) {
+    std::vector<ImagePart> parts = result.film.parts();
+    std::erase_if(parts, [&](const ImagePart& part) {
+        return part.name != "beauty" &&
+               std::find(command.aovs.begin(), command.aovs.end(), part.name) == command.aovs.end();
+    });
+    write_exr(output, parts, metadata);
+    Image shown = to_display(parts.front().image, command.view, scene.film.exposure);
+    write_png(png_beside(output), shown);
+}
+
+RenderOptions options_of(const RenderCommand& command, const Scene& scene) {
+    RenderOptions options;
+    options.samples = command.samples;
+    options.time_limit = command.time_limit;
+    options.noise = command.noise;
+    options.seed = command.seed;
+    if (!command.crop.empty())
+        options.crop = parse_crop(command.crop, scene.film);
+    return options;
+}
+
+int render_scene(const RenderCommand& command) {
+    // All that can be refused is refused before the work.
+    const std::string output = output_of(command);
+    check_aovs(command.aovs);
+    check_writable(output);
+    if (!command.stats.empty())
+        check_writable(command.stats);
+    to_display(Image(1, 1, {"R", "G", "B"}), command.view); // an unknown view, an unreadable $OCIO
+
+    const ThreadLimit threads(command.scene.threads);
+    Console console(command.scene.quiet);
+    Cancel cancel;
+    const InterruptGuard guard(cancel);
+    Stages stages;
+    Scene scene = load_scene(command.scene, stages);
+    if (!scene.camera)
+        throw Error(Diagnostic{
+            {command.scene.path, 0}, "scene.camera", "is missing; expected a camera.*", ""});
+    if (!command.size.empty())
+        parse_size(command.size, scene.film);
+    const RenderOptions options = options_of(command, scene);
+    const std::vector<Aggregate> aggregates =
+        bake_scene(scene, command.scene, stages, console, cancel);
+
+    stages.begin("build");
+    Context context;
+    context.cancel = &cancel;
+    const World world(aggregates, scene.lights, context);
+    stages.begin("render");
+    context.progress = [&](std::string_view what, double fraction) {
+        console.progress("render", fraction, " " + std::string(what));
+    };
+    const RenderResult result =
+        render(world, {scene.materials, scene.lights, *scene.camera, scene.film}, options, context);
+    stages.begin("write");
+    write_pictures(output, result, scene, metadata_of(scene, aggregates, command, result.stats),
+                   command);
+    stages.end();
+
+    const RenderStats& stats = result.stats;
+    console.say(fmt::format("render: {:g} samples per pixel, {:.2f} Mray/s, {}",
+                            stats.samples_per_pixel, stats.mrays_per_s(),
+                            format_duration(stats.seconds)));
+    if (stats.invalid_samples > 0)
+        console.say(fmt::format("{} invalid samples were dropped", stats.invalid_samples));
+    console.say("wrote " + output + " and " + png_beside(output));
+    if (!command.stats.empty()) {
+        const RenderFigures figures{&stats, world.instance_count(), world.memory_bytes()};
+        write_file(command.stats, run_stats_json(stages, aggregates, &figures));
+    }
+    if (result.cancelled)
+        console.say("interrupted: the picture holds what was done");
+    return 0;
+}
+
+} // namespace
+
+void add_render_command(CLI::App& app, Run& run) {
+    auto options = std::make_shared<RenderCommand>();
+    CLI::App* command =
+        app.add_subcommand("render", "Render a scene to an .exr, with a .png beside it.");
+    options->scene.add_to(*command);
+    command->add_option("-o,--output", options->output,
+                        "File to write: .exr (default: SCENE.exr here)");
+    command->add_option("--spp", options->samples, "Samples per pixel (default: the scene's)")
+        ->check(CLI::Range(1, 1 << 24));
+    command->add_option("--time", options->time_limit, "Stop after this many seconds")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--noise", options->noise, "Stop where the relative error is below this")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--size", options->size, "Size of the picture, as in 1280x720")
+        ->type_name("WxH");
+    command->add_option("--crop", options->crop, "Render this part of the picture only")
+        ->type_name("x,y,w,h");
+    command->add_option("--seed", options->seed, "Seed of the samples; not of the scene");
+    command
+        ->add_option("--aov", options->aovs,
+                     "Parts to write beside the beauty: " +
+                         fmt::format("{}", fmt::join(aov_names, ",")))
+        ->delimiter(',')
+        ->type_name("LIST");
+    command->add_option("--view", options->view, "View for the .png; see `scree view --help`")
+        ->type_name("NAME");
+    command->add_option("--stats", options->stats, "Write times, memory and counts as JSON");
+    command->footer("Ctrl-C keeps what is done.\n"
+                    "Example:\n  scree render scenes/toys.lua -o toys.exr --spp 64 --aov albedo,N");
+    command->callback([options, &run] { run = [options] { return render_scene(*options); }; });
+}
+
+} // namespace scree
