@@ -70,30 +70,30 @@ void DomainTest::visit_edges_near(const Vec2& point, double distance, const Visi
 
 bool DomainTest::contains_point(const Vec2& point) const { return contains(*domain_, point); }
 
-bool DomainTest::accepts(const CollisionShape& shape, const Pose& pose) const {
+bool DomainTest::accepts(const CollisionShape& shape, const Pose& pose, double clearance) const {
     if (inside_ == Inside::centre)
         return contains_point(pose.position);
     if (!box_.intersects(pose.position))
         return false;
+    const double tolerance = tolerance_ + clearance;
     bool near = false, crossed = false;
-    visit_edges_near(pose.position, shape.radius() * pose.scale + tolerance_,
-                     [&](const Edge& edge) {
-                         near = true;
-                         if (crossed)
-                             return;
-                         for (const Ring& ring : shape.outline().rings) {
-                             Vec2 from = pose.apply(ring.back());
-                             for (const Vec2& v : ring) {
-                                 const Vec2 to = pose.apply(v);
-                                 if (!segments_apart(from, to, edge.from, edge.to, tolerance_)) {
-                                     crossed = true;
-                                     return;
-                                 }
-                                 from = to;
-                             }
-                         }
-                         crossed = contains(shape.outline(), pose.apply_inverse(edge.from));
-                     });
+    visit_edges_near(pose.position, shape.radius() * pose.scale + tolerance, [&](const Edge& edge) {
+        near = true;
+        if (crossed)
+            return;
+        for (const Ring& ring : shape.outline().rings) {
+            Vec2 from = pose.apply(ring.back());
+            for (const Vec2& v : ring) {
+                const Vec2 to = pose.apply(v);
+                if (!segments_apart(from, to, edge.from, edge.to, tolerance)) {
+                    crossed = true;
+                    return;
+                }
+                from = to;
+            }
+        }
+        crossed = contains(shape.outline(), pose.apply_inverse(edge.from));
+    });
     if (crossed)
         return false;
     if (!near)

@@ -20,8 +20,9 @@ class DomainTest {
   public:
     DomainTest(std::shared_ptr<const Region> domain, Inside inside);
 
-    /// In double, with a tolerance of 1e-12 of the domain's size: in doubt, no.
-    bool accepts(const CollisionShape& shape, const Pose& pose) const;
+    /// Whether the element lies in the domain and, when whole, at least `clearance` [m] from its
+    /// border. In double, with a tolerance of 1e-12 of the domain's size: in doubt, no.
+    bool accepts(const CollisionShape& shape, const Pose& pose, double clearance = 0) const;
 
     bool contains_point(const Vec2& point) const;
 

@@ -56,6 +56,16 @@ double LayoutProblem::largest_radius() const {
     return radius;
 }
 
+double LayoutProblem::clearance() const {
+    const Box2& box = domain.box();
+    double reach = std::max(
+        {std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)});
+    for (const CollisionShape& shape : shapes)
+        reach = std::max(reach, (shape.centre().length() + shape.radius()) * scale.high);
+    // Four roundings of 2^-24 (rotation times centre, position) for each of two elements.
+    return 8 * 0x1p-24 * reach;
+}
+
 double LayoutProblem::smallest_radius() const {
     double radius = std::numeric_limits<double>::infinity();
     for (const CollisionShape& shape : shapes)

@@ -22,6 +22,10 @@ struct LayoutProblem {
     std::uint64_t seed = 0;
     std::size_t max_count = std::numeric_limits<std::size_t>::max();
 
+    /// What elements keep from each other and from the domain's border so that they are apart even
+    /// where positions are float, as in an instance's matrix [m].
+    double clearance() const;
+
     double largest_radius() const; // of all circumscribed circles at the largest scale [m]
     double smallest_radius() const;
 };

@@ -157,8 +157,8 @@ bool holds(const CollisionShape& shape, const Vec2& point) {
 } // namespace
 
 bool overlap(const CollisionShape& a, const Pose& pose_a, const CollisionShape& b,
-             const Pose& pose_b, const Vec2& a_from_b) {
-    const double reach = a.radius() * pose_a.scale + b.radius() * pose_b.scale;
+             const Pose& pose_b, const Vec2& a_from_b, double clearance) {
+    const double reach = a.radius() * pose_a.scale + b.radius() * pose_b.scale + clearance;
     if (a_from_b.length2() > reach * reach * (1 + 1e-9))
         return false;
     const Motion b_from_a = motion(pose_a, pose_b, a_from_b);
@@ -167,7 +167,7 @@ bool overlap(const CollisionShape& a, const Pose& pose_a, const CollisionShape& 
     // Rounding: no coordinate in b's frame exceeds twice the reach; a moved point has an error of
     // at most 5 units in the last place of that, and its distance to a line 6 more. 2^-24 * 2 * 11
     // is 1.3e-6; twice that holds for both outlines and leaves room for the double arithmetic.
-    const float tolerance = 4e-6F * static_cast<float>(reach / pose_b.scale);
+    const auto tolerance = static_cast<float>((4e-6 * reach + clearance) / pose_b.scale);
     if (outlines_meet(a, b, b_from_a, tolerance))
         return true;
     for (const Vec2& v : a.outer_vertices()) {

@@ -5,12 +5,12 @@
 
 namespace scree {
 
-/// Whether two regions overlap, holes counting as outside; in doubt, yes. Where the answer is no,
-/// the regions are truly apart, by exact predicates on their vertices as double arithmetic gives
-/// them. They may be called overlapping when they are less than 2e-5 of the sum of their
-/// circumscribed radii apart. `a_from_b`: the position of a less that of b [m], which is more than
-/// the difference of the poses where space wraps round.
+/// Whether two regions overlap or are nearer than `clearance` [m] to each other, holes counting as
+/// outside; in doubt, yes. Where the answer is no, the regions are truly apart, by exact predicates
+/// on their vertices as double arithmetic gives them. The doubt is at most 1e-5 of the sum of their
+/// circumscribed radii. `a_from_b`: the position of a less that of b [m]; not always the difference
+/// of the poses, where space wraps round.
 bool overlap(const CollisionShape& a, const Pose& pose_a, const CollisionShape& b,
-             const Pose& pose_b, const Vec2& a_from_b);
+             const Pose& pose_b, const Vec2& a_from_b, double clearance = 0);
 
 } // namespace scree

@@ -18,7 +18,8 @@ int cell_of(double offset, double cell, int count) {
 
 } // namespace
 
-Placements::Placements(const LayoutProblem& problem) : problem_(problem) {
+Placements::Placements(const LayoutProblem& problem)
+    : problem_(problem), clearance_(problem.clearance()) {
     // At most 4096 cells per side, 64 MiB, however small the elements; then cells hold several.
     const Vec2 size = problem.domain.box().size();
     smallest_cell_ = std::max(2 * problem.smallest_radius(), std::max(size.x, size.y) / 4096);
@@ -66,15 +67,15 @@ bool Placements::any_near(const Vec2& point, double radius, const Visit& visit) 
 bool Placements::is_free(const Dart& dart) {
     const CollisionShape& shape = problem_.shapes[dart.component];
     const double radius = shape.radius() * dart.pose.scale;
-    return !any_near(dart.pose.position, radius, [&](std::uint32_t i) {
+    return !any_near(dart.pose.position, radius + clearance_, [&](std::uint32_t i) {
         const Vec2 offset = dart.pose.position - darts_[i].pose.position;
-        const double reach = radius + radii_[i];
+        const double reach = radius + radii_[i] + clearance_;
         if (offset.length2() > reach * reach)
             return false;
         ++queries_;
         return overlap(shape, dart.pose, problem_.shapes[darts_[i].component], darts_[i].pose,
-                       offset);
-    }) && problem_.domain.accepts(shape, dart.pose);
+                       offset, clearance_);
+    }) && problem_.domain.accepts(shape, dart.pose, clearance_);
 }
 
 bool Placements::keeps_distance(const Vec2& position, double distance) const {

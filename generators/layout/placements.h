@@ -46,6 +46,7 @@ class Placements {
     bool any_near(const Vec2& point, double radius, const Visit& visit) const;
 
     const LayoutProblem& problem_;
+    double clearance_;
     double smallest_cell_ = 0;
     std::vector<Level> levels_;
     std::vector<Dart> darts_;
