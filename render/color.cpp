@@ -4,194 +4,167 @@
 #include "core/error.h"
 
 #include <OpenColorIO/OpenColorIO.h>
+#include <half.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-namespace scree {
-
 namespace OCIO = OCIO_NAMESPACE;
+
+namespace scree {
 
 namespace {
 
-constexpr const char* scene_linear = "linear Rec. 709";
-
-OCIO::TransformRcPtr srgb_encoding() { // IEC 61966-2-1
-    const OCIO::ExponentWithLinearTransformRcPtr out = OCIO::ExponentWithLinearTransform::Create();
-    const double gamma[4] = {2.4, 2.4, 2.4, 1};
-    const double offset[4] = {0.055, 0.055, 0.055, 0};
-    out->setGamma(gamma);
-    out->setOffset(offset);
-    out->setDirection(OCIO::TRANSFORM_DIR_INVERSE);
-    return out;
+double srgb_from_linear(double v) { // IEC 61966-2-1
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-// AgX's tone curve over its log range, as the polynomial that Wrensch (2023, "Minimal AgX
-// implementation") fitted to Sobotka's sigmoid.
-double agx_curve(double x) {
-    const double y =
-        (((((15.5 * x - 40.14) * x + 31.96) * x - 6.868) * x + 0.4298) * x + 0.1191) * x - 0.00232;
-    return std::clamp(y, 0.0, 1.0);
-}
-
-OCIO::MatrixTransformRcPtr agx_inset() { // the same source; rows of a matrix for column vectors
-    const double rows[16] = {0.842479062253094,
-                             0.0784335999999992,
-                             0.0792237451477643,
-                             0, //
-                             0.0423282422610123,
-                             0.878468636469772,
-                             0.0791661274605434,
-                             0, //
-                             0.0423756549057051,
-                             0.0784336,
-                             0.879142973793104,
-                             0, //
-                             0,
-                             0,
-                             0,
-                             1};
-    const OCIO::MatrixTransformRcPtr out = OCIO::MatrixTransform::Create();
-    out->setMatrix(rows);
-    return out;
-}
-
-OCIO::TransformRcPtr filmic_encoding() {
-    // Range of AgX: 10 stops below and 6.5 above middle grey.
-    const float stops[2] = {-12.47393F, 4.026069F};
-    const OCIO::AllocationTransformRcPtr shaper = OCIO::AllocationTransform::Create();
-    shaper->setAllocation(OCIO::ALLOCATION_LG2);
-    shaper->setVars(2, stops);
-
-    constexpr unsigned long entries = 4096;
-    const OCIO::Lut1DTransformRcPtr curve = OCIO::Lut1DTransform::Create(entries, false);
-    for (unsigned long i = 0; i < entries; ++i) {
-        const auto y = static_cast<float>(agx_curve(double(i) / (entries - 1)));
-        curve->setValue(i, y, y, y);
+// One entry for every half there is, so that shadows and highlights are as fine as each other.
+OCIO::TransformRcPtr filmic_transform() {
+    constexpr unsigned halves = 1U << 16;
+    const OCIO::Lut1DTransformRcPtr lut = OCIO::Lut1DTransform::Create(halves, true);
+    for (unsigned bits = 0; bits < halves; ++bits) {
+        half h;
+        h.setBits(static_cast<unsigned short>(bits));
+        double shown = 0;
+        if (h.isInfinity())
+            shown = h.isNegative() ? 0 : 1;
+        else if (!h.isNan())
+            shown = srgb_from_linear(filmic_curve(std::max(0.0, double(float(h)))));
+        const auto value = static_cast<float>(shown);
+        lut->setValue(bits, value, value, value);
     }
-
-    // Between the source's default look (1, 1) and its "punchy" one (1.35, 1.4).
-    const OCIO::CDLTransformRcPtr look = OCIO::CDLTransform::Create();
-    const double power[3] = {1.2, 1.2, 1.2};
-    look->setPower(power);
-    look->setSat(1.25);
-
-    const OCIO::MatrixTransformRcPtr outset = agx_inset();
-    outset->setDirection(OCIO::TRANSFORM_DIR_INVERSE);
-
-    const OCIO::GroupTransformRcPtr group = OCIO::GroupTransform::Create();
-    group->appendTransform(agx_inset());
-    group->appendTransform(shaper);
-    group->appendTransform(curve);
-    group->appendTransform(look);
-    group->appendTransform(outset);
-    return group;
+    return lut;
 }
 
-void add_space(OCIO::Config& config, const char* name, const OCIO::TransformRcPtr& from_scene) {
-    const OCIO::ColorSpaceRcPtr space = OCIO::ColorSpace::Create();
-    space->setName(name);
-    if (from_scene)
-        space->setTransform(from_scene, OCIO::COLORSPACE_DIR_FROM_REFERENCE);
-    config.addColorSpace(space);
+OCIO::TransformRcPtr standard_transform() {
+    const OCIO::ExponentWithLinearTransformRcPtr srgb = OCIO::ExponentWithLinearTransform::Create();
+    srgb->setGamma({2.4, 2.4, 2.4, 1.0}); // IEC 61966-2-1
+    srgb->setOffset({0.055, 0.055, 0.055, 0.0});
+    srgb->setDirection(OCIO::TRANSFORM_DIR_INVERSE);
+    return srgb;
 }
 
-OCIO::ConstConfigRcPtr built_in_config() {
+constexpr const char* linear_name = "lin_rec709";
+
+OCIO::ConstConfigRcPtr own_config() {
     const OCIO::ConfigRcPtr config = OCIO::Config::Create();
     config->setMajorVersion(2);
-    add_space(*config, scene_linear, nullptr);
-    add_space(*config, "sRGB", srgb_encoding());
-    add_space(*config, "AgX", filmic_encoding());
-    config->setRole(OCIO::ROLE_SCENE_LINEAR, scene_linear);
-    config->setRole(OCIO::ROLE_DEFAULT, scene_linear);
-    config->addDisplayView("sRGB", "filmic", "AgX", "");
-    config->addDisplayView("sRGB", "standard", "sRGB", "");
+    const auto add_space = [&](const char* name, const OCIO::TransformRcPtr& from_linear) {
+        const OCIO::ColorSpaceRcPtr space = OCIO::ColorSpace::Create();
+        space->setName(name);
+        space->setBitDepth(OCIO::BIT_DEPTH_F32);
+        if (from_linear)
+            space->setTransform(from_linear, OCIO::COLORSPACE_DIR_FROM_REFERENCE);
+        config->addColorSpace(space);
+    };
+    add_space(linear_name, nullptr);
+    add_space("srgb", standard_transform());
+    add_space("filmic_srgb", filmic_transform());
+    config->setRole(OCIO::ROLE_SCENE_LINEAR, linear_name);
+    config->setRole(OCIO::ROLE_DEFAULT, linear_name);
+    config->addDisplayView("sRGB", "filmic", "filmic_srgb", "");
+    config->addDisplayView("sRGB", "standard", "srgb", "");
     config->setActiveDisplays("sRGB");
     config->setActiveViews("filmic, standard");
     config->validate();
     return config;
 }
 
-OCIO::ConstConfigRcPtr load_config() {
+OCIO::ConstConfigRcPtr current_config() {
     const char* path = std::getenv("OCIO");
-    if (path == nullptr || *path == '\0')
-        return built_in_config();
+    if (path == nullptr || *path == '\0') {
+        static const OCIO::ConstConfigRcPtr own = own_config();
+        return own;
+    }
     try {
-        return OCIO::Config::CreateFromFile(path);
-    } catch (const OCIO::Exception& problem) {
-        throw Error(std::string("$OCIO: ") + path + ": cannot be read: " + problem.what());
+        const OCIO::ConstConfigRcPtr config = OCIO::Config::CreateFromFile(path);
+        config->validate();
+        return config;
+    } catch (const OCIO::Exception& failure) {
+        throw Error(std::string("$OCIO: ") + path +
+                    ": cannot be used as a color configuration: " + failure.what());
     }
 }
 
-const OCIO::ConstConfigRcPtr& config_in_use() {
-    static const OCIO::ConstConfigRcPtr config = load_config();
-    return config;
+// Our light is linear Rec. 709; configurations call that by different names.
+std::string source_space(const OCIO::Config& config) {
+    for (const char* name :
+         {linear_name, "Linear Rec.709 (sRGB)", "Utility - Linear - sRGB", "lin_srgb"})
+        if (config.getColorSpace(name))
+            return name;
+    return OCIO::ROLE_SCENE_LINEAR;
 }
 
 std::vector<std::string> views_of(const OCIO::Config& config) {
     const char* display = config.getDefaultDisplay();
-    std::vector<std::string> names{config.getDefaultView(display)};
+    std::vector<std::string> names;
+    const std::string first = config.getDefaultView(display);
+    names.push_back(first);
     for (int i = 0; i < config.getNumViews(display); ++i)
-        if (names.front() != config.getView(display, i))
+        if (config.getView(display, i) != first)
             names.emplace_back(config.getView(display, i));
     return names;
 }
 
-OCIO::ConstCPUProcessorRcPtr processor_for(const OCIO::Config& config, const std::string& view,
-                                           float exposure) {
-    const OCIO::MatrixTransformRcPtr gain = OCIO::MatrixTransform::Create();
-    const double stops = std::exp2(double(exposure));
-    const double scale[4] = {stops, stops, stops, 1};
-    double matrix[16];
-    double offset[4];
-    OCIO::MatrixTransform::Scale(matrix, offset, scale);
-    gain->setMatrix(matrix);
-
-    const OCIO::DisplayViewTransformRcPtr to_view = OCIO::DisplayViewTransform::Create();
-    to_view->setSrc(OCIO::ROLE_SCENE_LINEAR);
-    to_view->setDisplay(config.getDefaultDisplay());
-    to_view->setView(view.c_str());
-
-    const OCIO::GroupTransformRcPtr group = OCIO::GroupTransform::Create();
-    group->appendTransform(gain);
-    group->appendTransform(to_view);
-    return config.getProcessor(group)->getDefaultCPUProcessor();
-}
-
 } // namespace
 
-std::vector<std::string> view_names() { return views_of(*config_in_use()); }
+double filmic_curve(double x) {
+    constexpr double maximum = 1;     // P
+    constexpr double contrast = 1;    // a
+    constexpr double start = 0.22;    // m: where the straight part begins
+    constexpr double length = 0.4;    // l: of the straight part
+    constexpr double toe_bend = 1.33; // c
+    constexpr double black = 0;       // b
+    constexpr double straight = (maximum - start) * length / contrast;
+    constexpr double shoulder_x = start + straight;
+    constexpr double shoulder_y = start + contrast * straight;
+    constexpr double bend = contrast * maximum / (maximum - shoulder_y);
+    if (x > shoulder_x)
+        return maximum - (maximum - shoulder_y) * std::exp(-bend * (x - shoulder_x) / maximum);
+    const double line = start + contrast * (x - start);
+    const double t = std::clamp(x / start, 0.0, 1.0);
+    const double toe_weight = 1 - t * t * (3 - 2 * t);
+    const double toe = start * std::pow(std::max(0.0, x) / start, toe_bend) + black;
+    return toe_weight > 0 ? toe * toe_weight + line * (1 - toe_weight) : line;
+}
 
-Image to_display(const Image& beauty, const std::string& view, float exposure) {
-    const OCIO::ConstConfigRcPtr& config = config_in_use();
-    const std::vector<std::string> views = views_of(*config);
-    const std::string chosen = view.empty() ? views.front() : view;
-    if (std::find(views.begin(), views.end(), chosen) == views.end()) {
+std::vector<std::string> view_names() { return views_of(*current_config()); }
+
+Image to_display(const Image& beauty, const std::string& view, double exposure) {
+    const OCIO::ConstConfigRcPtr config = current_config();
+    const std::vector<std::string> names = views_of(*config);
+    if (!view.empty() && std::find(names.begin(), names.end(), view) == names.end()) {
         std::string known;
-        for (const std::string& name : views)
+        for (const std::string& name : names)
             known += (known.empty() ? "" : ", ") + name;
-        throw Error::usage("there is no view " + chosen + "; there are " + known,
-                           did_you_mean(chosen, views));
+        throw Error::usage("unknown view '" + view + "'; there are: " + known,
+                           did_you_mean(view, names));
     }
-    // OpenColorIO works on three or four interleaved channels; grey becomes three equal ones.
-    const std::size_t channels = beauty.channels.size() >= 4 ? 4 : 3;
-    Image out(beauty.width, beauty.height,
-              channels == 4 ? std::vector<std::string>{"R", "G", "B", "A"}
-                            : std::vector<std::string>{"R", "G", "B"});
-    for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; ++x)
-            for (std::size_t c = 0; c < channels; ++c)
-                out.at(x, y)[c] = beauty.at(x, y)[std::min(c, beauty.channels.size() - 1)];
+    Image shown(beauty.width, beauty.height, {"R", "G", "B"});
+    const auto factor = static_cast<float>(std::exp2(exposure));
+    const std::size_t channels = beauty.channels.size();
+    const std::size_t step = channels >= 3 ? 1 : 0;
+    for (std::size_t i = 0; i < shown.pixels.size() / 3; ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float v = beauty.pixels[i * channels + c * step] * factor;
+            shown.pixels[3 * i + c] = std::isnan(v) ? 0.0F : v;
+        }
     try {
-        OCIO::PackedImageDesc pixels(out.pixels.data(), out.width, out.height, long(channels));
-        processor_for(*config, chosen, exposure)->apply(pixels);
-    } catch (const OCIO::Exception& problem) {
-        throw Error("view " + chosen + ": " + problem.what());
+        const OCIO::DisplayViewTransformRcPtr transform = OCIO::DisplayViewTransform::Create();
+        const std::string source = source_space(*config);
+        transform->setSrc(source.c_str());
+        transform->setDisplay(config->getDefaultDisplay());
+        transform->setView(view.empty() ? names.front().c_str() : view.c_str());
+        const OCIO::ConstCPUProcessorRcPtr processor =
+            config->getProcessor(transform)->getDefaultCPUProcessor();
+        OCIO::PackedImageDesc pixels(shown.pixels.data(), shown.width, shown.height, 3);
+        processor->apply(pixels);
+    } catch (const OCIO::Exception& failure) {
+        throw Error(std::string("color configuration: ") + failure.what());
     }
-    for (float& value : out.pixels)
-        value = std::clamp(value, 0.0F, 1.0F);
-    return out;
+    return shown;
 }
 
 } // namespace scree

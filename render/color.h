@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From scene-linear light to a display: the only door to OpenColorIO.
+// From light to what a screen shows: the only door to OpenColorIO.
 #pragma once
 
 #include "core/image.h"
@@ -9,15 +9,17 @@
 
 namespace scree {
 
-/// `beauty` (R, G, B and possibly A; linear Rec. 709) made brighter by `exposure` stops and encoded
-/// for the default display through `view` ("": the configuration's default). $OCIO names a
-/// configuration; without it a small one of ours is used, with the views
-///   filmic    AgX (Sobotka 2022): rolls highlights off and keeps their hue; the default
-///   standard  plain sRGB encoding (IEC 61966-2-1), clipped
-/// Throws Error (usage) for an unknown view and Error (input) for an unreadable $OCIO.
-Image to_display(const Image& beauty, const std::string& view = {}, float exposure = 0);
-
-/// The views of the configuration in use, its default first.
+/// Names of the views there are, the default one first: our own "filmic" and "standard", or those
+/// of the configuration that $OCIO names. Throws Error (input) when that cannot be read.
 std::vector<std::string> view_names();
+
+/// The picture as a view shows it: R, G, B ready for an sRGB screen, mostly in [0, 1]. `beauty` has
+/// the channels R, G, B (others are dropped) or one grey one, linear Rec. 709; `view` "" is the
+/// default view; `exposure` [stops] comes first. Throws Error (usage) on an unknown view.
+Image to_display(const Image& beauty, const std::string& view = "", double exposure = 0);
+
+/// The tone curve of "filmic": straight in the middle, with a toe and a shoulder that reaches 1
+/// only at infinity (Uchimura 2017, "HDR theory and practice", with its default parameters).
+double filmic_curve(double linear);
 
 } // namespace scree

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "core/math.h"
+#include "render/distribution.h"
 #include "render/film_settings.h"
-
-#include <vector>
 
 namespace scree {
 
@@ -23,7 +22,8 @@ class FilterSampler {
   private:
     float inverse(float u) const;
 
-    std::vector<float> quantiles_; // of the filter's integral, at equal steps
+    float radius_;
+    Distribution1D distribution_; // over [-radius, radius]
 };
 
 } // namespace scree

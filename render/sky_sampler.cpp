@@ -27,6 +27,8 @@ SkySampler::SkySampler(const Sky& sky, bool compensate)
         const double top = pi * y / height;
         const double bottom = pi * (y + 1) / height;
         solid_angle[std::size_t(y)] = 2 * pi / width * (std::cos(top) - std::cos(bottom));
+        scale_.push_back(static_cast<float>(1 / (solid_angle[std::size_t(y)] * width * height)));
+        cosines_.push_back(static_cast<float>(std::cos(top)));
         for (int x = 0; x < width; ++x) {
             double value = 0;
             if (sky.image) { // exact mean of the bilinear interpolation over a texel
@@ -45,6 +47,7 @@ SkySampler::SkySampler(const Sky& sky, bool compensate)
             sum += value * solid_angle[std::size_t(y)];
         }
     }
+    cosines_.push_back(-1.0F);
     const double even = compensate ? sum / (4 * pi) : 0;
     double left = 0;
     std::vector<float> weights(mean.size());
@@ -77,13 +80,17 @@ Vec2f SkySampler::image_from_direction(const Vec3& d) const {
     return {u - std::floor(u), v};
 }
 
-Vec3 SkySampler::direction_from_image(const Vec2f& p) const {
+// Uniform by solid angle within a row: even in the height, not in the angle.
+Vec3 SkySampler::direction_from_image(const Vec2f& p, std::size_t& row) const {
+    const float position = p.y * static_cast<float>(scale_.size());
+    row = std::min(static_cast<std::size_t>(position), scale_.size() - 1);
+    const float part = position - static_cast<float>(row);
+    const float cosine = cosines_[row] + (cosines_[row + 1] - cosines_[row]) * part;
+    const float sine = std::sqrt(std::max(0.0F, 1 - cosine * cosine));
     const float longitude = (p.x - 0.5F) * 2 * pi_f;
-    const float polar = p.y * pi_f;
-    const float x = std::sin(polar) * std::sin(longitude);
-    const float z = -std::sin(polar) * std::cos(longitude);
-    return {x * cos_rotation_ + z * sin_rotation_, std::cos(polar),
-            z * cos_rotation_ - x * sin_rotation_};
+    const float x = sine * std::sin(longitude);
+    const float z = -sine * std::cos(longitude);
+    return {x * cos_rotation_ + z * sin_rotation_, cosine, z * cos_rotation_ - x * sin_rotation_};
 }
 
 Color SkySampler::radiance(const Vec3& d) const {
@@ -112,20 +119,15 @@ float SkySampler::pdf(const Vec3& d) const {
         return 0;
     if (constant_)
         return 1 / (4 * pi_f);
-    const float sine = std::sqrt(d.x * d.x + d.z * d.z);
-    return sine > 0 ? distribution_.pdf(image_from_direction(d)) / (2 * pi_f * pi_f * sine) : 0;
+    const Vec2f p = image_from_direction(d);
+    const auto row = static_cast<std::size_t>(p.y * static_cast<float>(scale_.size()));
+    return distribution_.pdf(p) * scale_[std::min(row, scale_.size() - 1)];
 }
 
 Vec3 SkySampler::sample(const Vec2f& u, float& pdf) const {
-    if (constant_) {
-        pdf = 1 / (4 * pi_f);
-        const float y = 1 - 2 * u.y;
-        const float sine = std::sqrt(std::max(0.0F, 1 - y * y));
-        return {sine * std::cos(2 * pi_f * u.x), y, sine * std::sin(2 * pi_f * u.x)};
-    }
-    const Vec3 direction = direction_from_image(distribution_.sample(u, pdf));
-    const float sine = std::sqrt(direction.x * direction.x + direction.z * direction.z);
-    pdf = sine > 0 ? pdf / (2 * pi_f * pi_f * sine) : 0;
+    std::size_t row = 0;
+    const Vec3 direction = direction_from_image(distribution_.sample(u, pdf), row);
+    pdf *= scale_[row];
     return direction;
 }
 

@@ -20,7 +20,7 @@ class SkySampler {
 
   private:
     Vec2f image_from_direction(const Vec3& direction) const;
-    Vec3 direction_from_image(const Vec2f& p) const;
+    Vec3 direction_from_image(const Vec2f& p, std::size_t& row) const;
     Color texel(int x, int y) const;
 
     Sky sky_;
@@ -28,6 +28,8 @@ class SkySampler {
     float cos_rotation_ = 1;
     float sin_rotation_ = 0;
     Distribution2D distribution_; // over the latitude-longitude image
+    std::vector<float> cosines_;  // of the rows' edges, from the top; one more than rows
+    std::vector<float> scale_;    // density per solid angle over that per image, by rows
     float irradiance_ = 0;
 };
 

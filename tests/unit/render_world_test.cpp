@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/random.h"
+#include "tests/unit/render_test_tools.h"
+
+#include <gtest/gtest.h>
+
+namespace scree {
+namespace {
+
+Vec3 random_direction(Random& random) {
+    for (;;) {
+        const Vec3 v(static_cast<float>(random.uniform(-1, 1)),
+                     static_cast<float>(random.uniform(-1, 1)),
+                     static_cast<float>(random.uniform(-1, 1)));
+        if (v.length() > 0.1F && v.length() < 1)
+            return v.normalized();
+    }
+}
+
+// Möller & Trumbore 1997, in double; infinity for a miss.
+double brute_force(const Vec3& a, const Vec3& b, const Vec3& c, const Ray& ray) {
+    const Imath::V3d o(ray.origin);
+    const Imath::V3d d(ray.direction);
+    const Imath::V3d e1 = Imath::V3d(b) - Imath::V3d(a);
+    const Imath::V3d e2 = Imath::V3d(c) - Imath::V3d(a);
+    const Imath::V3d p = d.cross(e2);
+    const double determinant = e1.dot(p);
+    const Imath::V3d s = o - Imath::V3d(a);
+    const double u = s.dot(p) / determinant;
+    const Imath::V3d q = s.cross(e1);
+    const double v = d.dot(q) / determinant;
+    const double t = e2.dot(q) / determinant;
+    return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : INFINITY;
+}
+
+Matrix skewed(Random& random) {
+    Matrix m;
+    const Vec3 axis = random_direction(random);
+    m.setAxisAngle(axis, static_cast<float>(random.uniform(0, 6)));
+    Matrix scale;
+    const double mirror = random.uniform() < 0.5 ? -1 : 1;
+    scale.setScale(Vec3(static_cast<float>(mirror * random.uniform(0.5, 2)),
+                        static_cast<float>(random.uniform(0.5, 2)), 1.0F));
+    return scale * m *
+           test::move(Vec3(static_cast<float>(random.uniform(-3, 3)),
+                           static_cast<float>(random.uniform(-3, 3)),
+                           static_cast<float>(random.uniform(-3, 3))));
+}
+
+TEST(World, AgreesWithBruteForce) {
+    Random random(21, Purpose::test);
+    const Mesh mesh = test::make_sphere(0.5F, 8);
+    Aggregate aggregate;
+    aggregate.prototypes.push_back({"sphere", std::make_shared<Mesh>(mesh), nullptr, {3}});
+    for (int i = 0; i < 20; ++i)
+        aggregate.instances.push_back({0, skewed(random), 0.0F, 0.0F, 1.0F});
+    const World world(std::span(&aggregate, 1), {});
+    EXPECT_EQ(world.instance_count(), 20U);
+    EXPECT_EQ(world.triangle_count(), 20 * mesh.triangles.size());
+    EXPECT_EQ(world.material_count(), 4U);
+    EXPECT_GT(world.memory_bytes(), 1000U);
+    int disagreements = 0;
+    int hits = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec3 origin = random_direction(random) * 8;
+        const Ray ray{origin, (random_direction(random) * 3 - origin).normalized()};
+        double nearest = INFINITY;
+        std::size_t instance = 0;
+        Vec3 normal(0.0F, 0.0F, 0.0F);
+        for (std::size_t k = 0; k < aggregate.instances.size(); ++k) {
+            const Matrix& m = aggregate.instances[k].world_from_object;
+            for (const Mesh::Triangle& t : mesh.triangles) {
+                const Vec3 a = transform_point(m, mesh.positions[t[0]]);
+                const Vec3 b = transform_point(m, mesh.positions[t[1]]);
+                const Vec3 c = transform_point(m, mesh.positions[t[2]]);
+                const double distance = brute_force(a, b, c, ray);
+                if (distance < nearest) {
+                    nearest = distance;
+                    instance = k;
+                    normal = (b - a).cross(c - a).normalized();
+                    if (m.determinant() < 0)
+                        normal = -normal;
+                }
+            }
+        }
+        Hit hit;
+        const bool found = world.hit(ray, hit);
+        EXPECT_EQ(world.occluded(ray), found);
+        if (found != std::isfinite(nearest)) {
+            ++disagreements; // rays along an edge may go either way
+            continue;
+        }
+        if (!found)
+            continue;
+        ++hits;
+        ASSERT_NEAR(hit.distance, nearest, 1e-4);
+        ASSERT_EQ(hit.instance, instance);
+        ASSERT_GT(hit.normal.dot(normal), 0.999F);
+        ASSERT_LT(hit.normal.dot(ray.direction), 0) << "outwards also when mirrored";
+        ASSERT_GT(hit.shading_normal.dot(hit.normal), 0.7F);
+        ASSERT_LT((ray.origin + ray.direction * hit.distance - hit.position).length(), 1e-4F);
+        ASSERT_EQ(hit.material, 3U);
+        Ray shorter = ray;
+        shorter.length = hit.distance * 0.999F;
+        ASSERT_FALSE(world.occluded(shorter));
+    }
+    EXPECT_LE(disagreements, 2);
+    EXPECT_GT(hits, 500);
+}
+
+TEST(World, RaysThatLeaveDoNotMeetTheirSurface) {
+    // A convex body is never met again by a ray that leaves it, at any place and size.
+    for (const float scale : {1e-4F, 1.0F, 100.0F})
+        for (const float distance : {0.0F, 3.0F, 300.0F}) {
+            Random random(22, Purpose::test);
+            Matrix m;
+            m.setAxisAngle(Vec3(1.0F, 2.0F, 3.0F).normalized(), 1.0F);
+            Matrix s;
+            s.setScale(scale);
+            test::Stage stage;
+            stage.add(test::make_sphere(1, 24, false), test::grey_matte(1),
+                      s * m * test::move(Vec3(distance, distance * 0.5F, -distance)));
+            const World world(stage.aggregates, {});
+            const Vec3 centre(distance, distance * 0.5F, -distance);
+            int met = 0;
+            for (int i = 0; i < 20000; ++i) {
+                const Vec3 from = centre + random_direction(random) * (3 * scale);
+                Hit hit;
+                const Vec3 target = centre + random_direction(random) * (0.5F * scale);
+                if (!world.hit({from, (target - from).normalized()}, hit))
+                    continue;
+                Vec3 d = random_direction(random);
+                if (d.dot(hit.normal) < 0)
+                    d = -d;
+                met += world.occluded(hit.leave(d)) ? 1 : 0;
+            }
+            EXPECT_EQ(met, 0) << scale << " at " << distance;
+        }
+}
+
+TEST(World, EmptyWorldAndLightsOnly) {
+    const World empty({}, {});
+    Hit hit;
+    EXPECT_FALSE(empty.hit({Vec3(0.0F, 0.0F, 0.0F), Vec3(0.0F, 1.0F, 0.0F)}, hit));
+    EXPECT_TRUE(empty.bounds().isEmpty());
+    std::vector<Light> lights = {Sun{}, AreaLight{}};
+    std::get<AreaLight>(lights[1]).centre = {0.0F, 2.0F, 0.0F};
+    const World world({}, lights);
+    ASSERT_TRUE(world.hit({Vec3(0.2F, 0.0F, 0.1F), Vec3(0.0F, 1.0F, 0.0F)}, hit));
+    EXPECT_EQ(hit.light, 1U);
+    EXPECT_FLOAT_EQ(hit.distance, 2);
+    EXPECT_LT(hit.normal.y, -0.999F);
+}
+
+TEST(World, BuildsCanBeCancelled) {
+    test::Stage stage;
+    stage.add(test::make_sphere(1, 64), test::grey_matte(1));
+    Cancel cancel;
+    cancel.request();
+    Context context;
+    context.cancel = &cancel;
+    EXPECT_THROW(World(stage.aggregates, {}, context), Cancelled);
+}
+
+} // namespace
+} // namespace scree
