@@ -168,15 +168,18 @@ void push_override(lua_State* state, const std::string& name, const std::string&
         break;
     }
     default:
-        throw Error(fmt::format("arg(\"{}\", ...): the default must be a number, a text, true or "
-                                "false",
-                                name));
+        break; // arg has refused it
     }
 }
 
 int arg(lua_State* state) {
     const std::string name = text_argument(state, 1, "arg(\"name\", default)");
     lua_settop(state, 2);
+    const int type = lua_type(state, 2);
+    if (type != LUA_TNIL && type != LUA_TSTRING && type != LUA_TBOOLEAN && type != LUA_TNUMBER)
+        throw Error(fmt::format("the default of arg(\"{}\", ...) must be a number, a text, true or "
+                                "false, not {}",
+                                name, kind_of_value(state, 2)));
     const std::string* given = Sandbox::of(state).override_of(name);
     if (given != nullptr)
         push_override(state, name, *given);

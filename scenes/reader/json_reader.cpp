@@ -104,7 +104,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
         message = what != std::string::npos    ? message.substr(what + 3)
                   : other != std::string::npos ? message.substr(other + 2)
                                                : message;
-        fail(file_, line(), "this is not JSON: " + message);
+        fail(file_, line(), "this is not JSON: " + message.substr(0, message.find("; last read")));
     }
 
   private:

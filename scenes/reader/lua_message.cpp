@@ -33,23 +33,22 @@ std::string plain_words(const std::string& message) {
     };
     // "(local 'x')", "(field 'x')", ... names what Lua could find out about the value.
     static constexpr std::array rules{
-        Rule{R"(^attempt to call a (\w+) value \(\w+ '(.*)'\)$)",
-             "$2 is $1, not a function, and cannot be called"},
-        Rule{R"(^attempt to call a (\w+) value$)", "a $1 value cannot be called"},
-        Rule{R"(^attempt to index a (\w+) value \(\w+ '(.*)'\)$)", "$2 is $1 and has no fields"},
-        Rule{R"(^attempt to index a (\w+) value$)", "a $1 value has no fields"},
+        Rule{R"(^attempt to call a (\w+) value \(\w+ '(.*)'\)$)", "$2 is a $1, not a function"},
+        Rule{R"(^attempt to call a (\w+) value$)", "a $1 cannot be called"},
+        Rule{R"(^attempt to index a (\w+) value \(\w+ '(.*)'\)$)", "$2 is a $1 and has no fields"},
+        Rule{R"(^attempt to index a (\w+) value$)", "a $1 has no fields"},
         Rule{R"(^attempt to perform arithmetic on a (\w+) value \(\w+ '(.*)'\)$)",
-             "$2 is $1; one can reckon with numbers only"},
+             "$2 is a $1; arithmetic needs numbers"},
         Rule{R"(^attempt to perform arithmetic on a (\w+) value$)",
-             "one can reckon with numbers only, not with a $1 value"},
+             "arithmetic needs numbers, not a $1"},
         Rule{R"(^attempt to concatenate a (\w+) value \(\w+ '(.*)'\)$)",
-             "$2 is $1; .. joins texts and numbers only"},
+             "$2 is a $1; .. joins texts and numbers only"},
         Rule{R"(^attempt to concatenate a (\w+) value$)",
-             ".. joins texts and numbers only, not a $1 value"},
-        Rule{R"(^attempt to compare two (\w+) values$)", "two $1 values have no order"},
-        Rule{R"(^attempt to compare (\w+) with (\w+)$)", "$1 and $2 have no order"},
+             ".. joins texts and numbers only, not a $1"},
+        Rule{R"(^attempt to compare two (\w+) values$)", "two values of type $1 have no order"},
+        Rule{R"(^attempt to compare (\w+) with (\w+)$)", "$1 and $2 cannot be compared"},
         Rule{R"(^attempt to get length of a (\w+) value \(\w+ '(.*)'\)$)",
-             "$2 is $1 and has no length"},
+             "$2 is a $1 and has no length"},
         Rule{R"(^(.*)stack overflow[^]*$)",
              "functions call each other too deeply; is there a recursion that never ends?"},
         Rule{R"(^error in error handling$)",
@@ -68,6 +67,8 @@ std::string plain_words(const std::string& message) {
         const std::regex pattern(rule.pattern);
         if (words.size() < 1000 && std::regex_match(words, pattern)) {
             words = std::regex_replace(words, pattern, rule.words);
+            if (const std::size_t nil = words.find("a nil"); nil != std::string::npos)
+                words.erase(nil, 2);
             break;
         }
     }

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int max_depth = 40; // real scenes stay below 10
 constexpr std::size_t enough_mistakes = 100;
+constexpr std::size_t longest_path = 60;
 
 bool is_utf8(std::string_view text) {
     std::size_t i = 0;
@@ -67,7 +68,11 @@ class Describer {
 
     void mistake(const Location& where, std::string message) {
         if (mistakes_.size() < enough_mistakes)
-            mistakes_.push_back({where, path_, std::move(message), {}});
+            mistakes_.push_back(
+                {where,
+                 path_.size() <= longest_path ? path_ : path_.substr(0, longest_path) + "...",
+                 std::move(message),
+                 {}});
     }
 
     DescriptionNode value(int index, const Location& where, const Written& written, int depth) {
@@ -85,7 +90,9 @@ class Describer {
         case LUA_TNIL:
             return leaf(where, std::monostate{});
         default:
-            mistake(where, fmt::format("a {} is not a value here", luaL_typename(state_, index)));
+            mistake(where, fmt::format("a {} is not a value here",
+                                       lua_isthread(state_, index) ? "coroutine"
+                                                                   : luaL_typename(state_, index)));
             return leaf(where, std::monostate{});
         }
     }

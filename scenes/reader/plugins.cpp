@@ -4,10 +4,9 @@
 namespace scree {
 
 Tables::Tables() {
-    for (const Plugin<MakeMesh>& plugin : component_table().plugins())
-        mesh.add(plugin);
-    for (const Plugin<MakeMesh>& plugin : mesh_file_table().plugins())
-        mesh.add(plugin);
+    for (const Registry<MakeMesh>& part : {component_table(), mesh_file_table()})
+        for (const Plugin<MakeMesh>& plugin : part.plugins())
+            mesh.add(plugin);
 }
 
 const Tables& tables() {

@@ -45,14 +45,10 @@ class SceneMaker {
 
     void make(const Description& root) {
         if (root.kind != "scene")
-            throw Error(
-                Diagnostic{root.where,
-                           {},
-                           fmt::format("expected a script that returns scene {{ ... }}, but "
-                                       "it returns {}",
-                                       in_words(root)),
-                           {}});
-        const std::vector<ParamSpec> none;
+            throw Error(Diagnostic{root.where,
+                                   {},
+                                   "expected scene { ... }, got " + in_words(root),
+                                   "a script ends with: return scene { ... }"});
         const auto* fields = std::get_if<Description::Table>(&root.data);
         if (fields == nullptr) {
             mistakes_.add(root.where, "scene",
@@ -145,9 +141,15 @@ class SceneMaker {
             else
                 wrong(item, "a generator.* or object");
         });
-        const Description::List* items = std::get_if<Description::List>(&given.value.data);
-        if (given.value.kind.empty() && items != nullptr && items->empty())
+        if (is_empty(given.value))
             mistakes_.add(given.where, given.path, "is empty; expected " + expected);
+    }
+
+    static bool is_empty(const Description& value) {
+        const auto* list = std::get_if<Description::List>(&value.data);
+        const auto* table = std::get_if<Description::Table>(&value.data);
+        return value.kind.empty() &&
+               ((list != nullptr && list->empty()) || (table != nullptr && table->empty()));
     }
 
     void generator(const Given& given) {

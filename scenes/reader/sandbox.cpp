@@ -82,15 +82,21 @@ void stop_timer() {
     setitimer(ITIMER_PROF, &none, nullptr);
 }
 
+// While errors unwind the stack there is no script on it: then the last place is the best.
+void see(Place place) {
+    if (place.file >= 0)
+        watch.place = place;
+}
+
 void on_hook(lua_State* state, lua_Debug* event) {
     if (event->event == LUA_HOOKCALL || event->event == LUA_HOOKTAILCALL) {
         // Only calls of C functions matter: inside them no other hook comes.
         lua_getinfo(state, "S", event);
         if (event->what[0] == 'C')
-            watch.place = watch.sandbox->place(state);
+            see(watch.sandbox->place(state));
         return;
     }
-    watch.place = watch.sandbox->place(state);
+    see(watch.sandbox->place(state));
     if (watch.expired != 0)
         end_at_limit(ScriptMessage::time, watch.place);
     if (watch.memory_used > watch.memory_limit) {

@@ -28,12 +28,15 @@ std::string in_words(const Description& given, const std::string& unit) {
         std::string operator()(const Description::List& list) const {
             std::string items;
             for (const Description::Item& item : list) {
-                const bool plain = item.value->kind.empty() &&
-                                   (std::holds_alternative<double>(item.value->data) ||
-                                    std::holds_alternative<std::int64_t>(item.value->data));
+                const Description& value = *item.value;
+                const bool plain = value.kind.empty() &&
+                                   !std::holds_alternative<Description::List>(value.data) &&
+                                   !std::holds_alternative<Description::Table>(value.data);
                 if (!plain || list.size() > 4)
-                    return list.empty() ? "{}" : fmt::format("a list of {}", list.size());
-                items += (items.empty() ? "" : ", ") + in_words(*item.value);
+                    return fmt::format("a list of {}", list.size());
+                const auto* text = std::get_if<std::string>(&value.data);
+                items += (items.empty() ? "" : ", ") +
+                         (text != nullptr ? '"' + *text + '"' : in_words(value));
             }
             return "{" + items + "}";
         }

@@ -1,0 +1,1 @@
+local l = mm("ten")

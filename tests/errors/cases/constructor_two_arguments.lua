@@ -1,0 +1,1 @@
+local box = mesh.box({}, {})

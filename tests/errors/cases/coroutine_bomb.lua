@@ -1,0 +1,4 @@
+local function f()
+  coroutine.wrap(f)()
+end
+f()

@@ -1,0 +1,5 @@
+return scene {
+  film = { width = function() end },
+  lights = { coroutine.create(print) },
+  objects = { print },
+}

@@ -1,0 +1,1 @@
+return scene { objects = { include("parts/bad_field.lua") } }

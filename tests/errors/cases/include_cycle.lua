@@ -1,0 +1,1 @@
+local part = include("parts/cycle_a.lua")

@@ -1,0 +1,3 @@
+--! seconds 0.3
+local spin = coroutine.wrap(function() while true do coroutine.yield() end end)
+while true do spin() end

@@ -1,0 +1,3 @@
+return scene {
+  objects = { object { shape = mesh.box {} }, nil, object { shape = mesh.box {} } },
+}

@@ -1,0 +1,5 @@
+return scene {
+  objects = {
+    object { shape = mesh.banana { length = 180 } },
+  },
+}

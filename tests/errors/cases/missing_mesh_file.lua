@@ -1,0 +1,5 @@
+return scene {
+  objects = {
+    object { shape = mesh.file { path = "no_such.obj" } },
+  },
+}

@@ -1,0 +1,1 @@
+return scene { camera = camera.perspective { from = { 0, 1, 2 } } }

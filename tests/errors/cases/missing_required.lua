@@ -1,0 +1,8 @@
+return scene {
+  camera = camera.perspective {},
+  objects = {
+    object {},
+    generator.layout {},
+    object { shape = mesh.file {} },
+  },
+}

@@ -1,0 +1,4 @@
+return scene {
+  objects = { object { shape = mesh.box {} } },
+  film = { filter = "\xff" },
+}

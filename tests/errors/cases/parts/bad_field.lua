@@ -1,0 +1,4 @@
+return object {
+  shape = mesh.box {},
+  colour = 3,
+}

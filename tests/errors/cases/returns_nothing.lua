@@ -1,0 +1,1 @@
+local toys = mesh.box {}

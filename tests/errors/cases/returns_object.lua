@@ -1,0 +1,1 @@
+return object { shape = mesh.box {} }

@@ -1,0 +1,2 @@
+local size
+local twice = 2 * size

@@ -1,0 +1,4 @@
+local f = coroutine.wrap(function()
+  error("inside")
+end)
+f()

@@ -1,0 +1,3 @@
+local toys
+
+local first = toys.first

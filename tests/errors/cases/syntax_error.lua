@@ -1,0 +1,4 @@
+return scene {
+  film = { width = 3 
+  objects = {},
+}

@@ -1,0 +1,2 @@
+local name = "bunny
+return scene {}

@@ -1,0 +1,2 @@
+--! set seed=3
+return scene { objects = { object { shape = mesh.box {} } } }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every message that a scene can cause, word for word: cases/NAME.lua (or .json) must fail with
+// the text of cases/NAME.txt. A script's first lines may say `--! set name=value`,
+// `--! seconds 0.3` or `--! memory 32` (MiB). SCREE_UPDATE_ERRORS=1 writes the .txt files anew.
+#include "core/file.h"
+#include "scenes/reader/scene.h"
+#include "scenes/reader/script.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+namespace scree {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path folder = fs::path(SCREE_SOURCE_DIR) / "tests/errors/cases";
+
+std::vector<std::string> case_names() {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".lua" || entry.path().extension() == ".json")
+            names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+ScriptOptions options_of(const std::string& script) {
+    ScriptOptions options;
+    options.limits.seconds = 5;
+    options.print = [](std::string_view) {};
+    std::istringstream lines(script);
+    std::string line;
+    while (std::getline(lines, line) && line.starts_with("--! ")) {
+        std::istringstream words(line.substr(4));
+        std::string what;
+        std::string value;
+        words >> what >> value;
+        if (what == "set")
+            options.overrides[value.substr(0, value.find('='))] = value.substr(value.find('=') + 1);
+        else if (what == "seconds")
+            options.limits.seconds = std::stod(value);
+        else if (what == "memory")
+            options.limits.memory = std::stoul(value) << 20;
+    }
+    return options;
+}
+
+std::string message_of(const std::string& name) {
+    try {
+        const ScriptOptions options = options_of(read_file(name));
+        const DescriptionNode root = name.ends_with(".json")
+                                         ? read_description(name, options.overrides)
+                                         : run_script(name, options);
+        for (const SceneItem& item : resolve(root, name).items)
+            item.bake({});
+    } catch (const Error& error) {
+        std::string text = std::string(error.what()) + "\n";
+        const std::string here = fs::current_path().string() + "/";
+        for (std::size_t at = 0; (at = text.find(here)) != std::string::npos;)
+            text.erase(at, here.size());
+        return text;
+    }
+    return "no error\n";
+}
+
+class ErrorMessage : public testing::TestWithParam<std::string> {};
+
+TEST_P(ErrorMessage, IsWordForWord) {
+    fs::current_path(folder); // messages show paths as given: here, names alone
+    const std::string expected_file = fs::path(GetParam()).replace_extension(".txt").string();
+    const std::string message = message_of(GetParam());
+    if (std::getenv("SCREE_UPDATE_ERRORS") != nullptr)
+        write_file(expected_file, message);
+    EXPECT_EQ(message, read_file(expected_file));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, ErrorMessage, testing::ValuesIn(case_names()), [](const auto& tested) {
+        std::string name = tested.param;
+        std::replace_if(
+            name.begin(), name.end(),
+            [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+        return name;
+    });
+
+} // namespace
+} // namespace scree
