@@ -34,6 +34,9 @@ CollisionShape::CollisionShape(const Region& region) {
         if (i % 4 == 0)
             disk_chunks_.push_back(DiskChunk{.x = nowhere, .y = nowhere, .radius = {}});
         DiskChunk& chunk = disk_chunks_.back();
+        float_disks_.push_back({static_cast<float>(disks_[i].centre.x),
+                                static_cast<float>(disks_[i].centre.y),
+                                static_cast<float>(disks_[i].radius)});
         chunk.x[i % 4] = static_cast<float>(disks_[i].centre.x);
         chunk.y[i % 4] = static_cast<float>(disks_[i].centre.y);
         chunk.radius[i % 4] = static_cast<float>(disks_[i].radius);
@@ -53,16 +56,14 @@ void CollisionShape::add_chunks(const Ring& ring) {
             box.extendBy(to);
             const double length = (to - from).length();
             const Vec2 along = real ? (to - from) / length : Vec2(1, 0);
-            const Vec2 normal(along.y, -along.x);
-            chunk.from_x[i] = static_cast<float>(from.x);
-            chunk.from_y[i] = static_cast<float>(from.y);
-            chunk.to_x[i] = static_cast<float>(to.x);
-            chunk.to_y[i] = static_cast<float>(to.y);
-            chunk.normal_x[i] = static_cast<float>(normal.x);
-            chunk.normal_y[i] = static_cast<float>(normal.y);
-            chunk.offset[i] = static_cast<float>(normal.dot(from));
-            chunk.middle[i] = static_cast<float>(along.dot((from + to) * 0.5));
+            const Vec2 middle = (from + to) * 0.5;
+            chunk.middle_x[i] = static_cast<float>(middle.x);
+            chunk.middle_y[i] = static_cast<float>(middle.y);
+            chunk.along_x[i] = static_cast<float>(along.x);
+            chunk.along_y[i] = static_cast<float>(along.y);
             chunk.half[i] = static_cast<float>(length / 2);
+            chunk.from_y[i] = static_cast<float>(from.y);
+            chunk.to_y[i] = static_cast<float>(to.y);
         }
         const Vec2 centre = box.center();
         double reach = 0;

@@ -13,10 +13,10 @@ namespace scree {
 struct EdgeChunk {
     using Float4 = float __attribute__((vector_size(16)));
 
-    Float4 from_x, from_y, to_x, to_y;
-    Float4 normal_x, normal_y;        // unit, to the right of the edge: outwards
-    Float4 offset;                    // normal . from
-    Float4 middle, half;              // along the edge: its middle's coordinate and half its length
+    Float4 middle_x, middle_y;        // of the edge
+    Float4 along_x, along_y;          // its direction, unit
+    Float4 half;                      // of its length
+    Float4 from_y, to_y;              // its ends, the same bits as its neighbours'
     float centre_x, centre_y, radius; // of a disk around all four
     int count;                        // the rest are points at the last edge's end
 };
@@ -38,11 +38,15 @@ class CollisionShape {
     const std::vector<Disk>& disks() const { return disks_; }
     const std::vector<EdgeChunk>& chunks() const { return chunks_; }
 
-    /// The disks again, in float and in fours; those that fill up lie at infinity.
+    /// The disks again in float, in fours and one by one; those that fill up lie at infinity.
     struct DiskChunk {
         EdgeChunk::Float4 x, y, radius;
     };
     const std::vector<DiskChunk>& disk_chunks() const { return disk_chunks_; }
+    struct FloatDisk {
+        float x, y, radius;
+    };
+    const std::vector<FloatDisk>& float_disks() const { return float_disks_; }
 
   private:
     void add_chunks(const Ring& ring);
@@ -55,6 +59,7 @@ class CollisionShape {
     std::vector<Vec2> outer_vertices_;
     std::vector<Disk> disks_;
     std::vector<DiskChunk> disk_chunks_;
+    std::vector<FloatDisk> float_disks_;
     std::vector<EdgeChunk> chunks_;
 };
 

@@ -8,7 +8,17 @@ namespace {
 using Float4 = EdgeChunk::Float4;
 using Mask4 = std::int32_t __attribute__((vector_size(16)));
 
-bool any(const Mask4& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+using Mask2 = std::int64_t __attribute__((vector_size(16)));
+
+bool any(const Mask4& mask) {
+    const auto halves = reinterpret_cast<Mask2>(mask);
+    return (halves[0] | halves[1]) != 0;
+}
+
+Float4 absolute(const Float4& v) {
+    const Mask4 all_but_sign = Mask4{} + 0x7FFFFFFF;
+    return reinterpret_cast<Float4>(reinterpret_cast<Mask4>(v) & all_but_sign);
+}
 
 /// From a's frame to b's, in float.
 struct Motion {
@@ -41,74 +51,50 @@ Motion motion(const Pose& a, const Pose& b, const Vec2& a_from_b) {
 }
 
 bool disks_overlap(const CollisionShape& a, const CollisionShape& b, const Motion& b_from_a) {
-    for (const Disk& disk : a.disks()) {
-        const auto px = static_cast<float>(disk.centre.x);
-        const auto py = static_cast<float>(disk.centre.y);
-        const float x = b_from_a.apply_x(px, py);
-        const float y = b_from_a.apply_y(px, py);
-        const float radius = b_from_a.scale * static_cast<float>(disk.radius);
-        for (const CollisionShape::DiskChunk& chunk : b.disk_chunks()) {
-            const Float4 dx = chunk.x - x;
-            const Float4 dy = chunk.y - y;
-            const Float4 sum = chunk.radius + radius;
-            if (any(dx * dx + dy * dy < sum * sum))
-                return true;
+    for (const CollisionShape::DiskChunk& chunk : a.disk_chunks()) {
+        const Float4 x = b_from_a.apply_x(chunk.x, chunk.y);
+        const Float4 y = b_from_a.apply_y(chunk.x, chunk.y);
+        const Float4 radius = chunk.radius * b_from_a.scale;
+        Mask4 hit{};
+        for (const CollisionShape::FloatDisk& disk : b.float_disks()) {
+            const Float4 dx = x - disk.x, dy = y - disk.y, sum = radius + disk.radius;
+            hit |= dx * dx + dy * dy < sum * sum;
         }
+        if (any(hit))
+            return true;
     }
     return false;
 }
 
-/// A chunk of a's edges in b's frame.
+/// A chunk of a's edges in b's frame, as far as `edges_meet` needs it.
 EdgeChunk moved(const EdgeChunk& chunk, const Motion& b_from_a) {
     EdgeChunk result;
-    result.from_x = b_from_a.apply_x(chunk.from_x, chunk.from_y);
-    result.from_y = b_from_a.apply_y(chunk.from_x, chunk.from_y);
-    result.to_x = b_from_a.apply_x(chunk.to_x, chunk.to_y);
-    result.to_y = b_from_a.apply_y(chunk.to_x, chunk.to_y);
-    result.normal_x = b_from_a.unit_cosine * chunk.normal_x - b_from_a.unit_sine * chunk.normal_y;
-    result.normal_y = b_from_a.unit_sine * chunk.normal_x + b_from_a.unit_cosine * chunk.normal_y;
-    result.offset = result.normal_x * result.from_x + result.normal_y * result.from_y;
-    result.middle = (-result.normal_y * (result.from_x + result.to_x) +
-                     result.normal_x * (result.from_y + result.to_y)) *
-                    0.5F;
+    result.middle_x = b_from_a.apply_x(chunk.middle_x, chunk.middle_y);
+    result.middle_y = b_from_a.apply_y(chunk.middle_x, chunk.middle_y);
+    result.along_x = b_from_a.unit_cosine * chunk.along_x - b_from_a.unit_sine * chunk.along_y;
+    result.along_y = b_from_a.unit_sine * chunk.along_x + b_from_a.unit_cosine * chunk.along_y;
     result.half = chunk.half * b_from_a.scale;
-    result.centre_x = b_from_a.apply_x(chunk.centre_x, chunk.centre_y);
-    result.centre_y = b_from_a.apply_y(chunk.centre_x, chunk.centre_y);
-    result.radius = chunk.radius * b_from_a.scale;
     result.count = chunk.count;
     return result;
 }
 
-Float4 lower(const Float4& a, const Float4& b) { return a < b ? a : b; }
-Float4 upper(const Float4& a, const Float4& b) { return a > b ? a : b; }
-
-/// Whether some edge of `a` comes within `tolerance` of some edge of `b`: two segments are apart
-/// when they are so along one of four axes, each segment's direction and normal.
+/// Whether some edge of `a` comes within `tolerance` of some edge of `b`. Two segments are apart
+/// when their projections onto one of four axes are: each segment's direction and its normal.
 bool edges_meet(const EdgeChunk& a, const EdgeChunk& b, float tolerance) {
     const Float4 b_reach = b.half + tolerance;
+    Mask4 all_apart = ~Mask4{};
     for (int i = 0; i < a.count; ++i) {
-        const float px = a.from_x[i], py = a.from_y[i], qx = a.to_x[i], qy = a.to_y[i];
-        const Float4 d0 = b.normal_x * px + b.normal_y * py - b.offset;
-        const Float4 d1 = b.normal_x * qx + b.normal_y * qy - b.offset;
-        Mask4 apart = (lower(d0, d1) > tolerance) | (upper(d0, d1) < -tolerance);
-
-        const Float4 u0 = b.normal_x * py - b.normal_y * px - b.middle;
-        const Float4 u1 = b.normal_x * qy - b.normal_y * qx - b.middle;
-        apart |= (lower(u0, u1) > b_reach) | (upper(u0, u1) < -b_reach);
-
-        const float nx = a.normal_x[i], ny = a.normal_y[i];
-        const Float4 e0 = nx * b.from_x + ny * b.from_y - a.offset[i];
-        const Float4 e1 = nx * b.to_x + ny * b.to_y - a.offset[i];
-        apart |= (lower(e0, e1) > tolerance) | (upper(e0, e1) < -tolerance);
-
-        const float a_reach = a.half[i] + tolerance;
-        const Float4 v0 = nx * b.from_y - ny * b.from_x - a.middle[i];
-        const Float4 v1 = nx * b.to_y - ny * b.to_x - a.middle[i];
-        apart |= (lower(v0, v1) > a_reach) | (upper(v0, v1) < -a_reach);
-        if (any(~apart))
-            return true;
+        const float along_x = a.along_x[i], along_y = a.along_y[i], half = a.half[i];
+        const float reach = half + tolerance;
+        const Float4 x = a.middle_x[i] - b.middle_x, y = a.middle_y[i] - b.middle_y;
+        const Float4 sine = absolute(along_x * b.along_y - along_y * b.along_x);
+        const Float4 cosine = absolute(along_x * b.along_x + along_y * b.along_y);
+        all_apart &= (absolute(x * b.along_y - y * b.along_x) > half * sine + tolerance) |
+                     (absolute(x * b.along_x + y * b.along_y) > half * cosine + b_reach) |
+                     (absolute(x * along_y - y * along_x) > b.half * sine + tolerance) |
+                     (absolute(x * along_x + y * along_y) > b.half * cosine + reach);
     }
-    return false;
+    return any(~all_apart);
 }
 
 bool outlines_meet(const CollisionShape& a, const CollisionShape& b, const Motion& b_from_a,
@@ -143,12 +129,13 @@ bool outlines_meet(const CollisionShape& a, const CollisionShape& b, const Motio
 bool holds(const CollisionShape& shape, const Vec2& point) {
     if (point.length2() > shape.radius() * shape.radius())
         return false;
-    const auto x = static_cast<float>(point.x), y = static_cast<float>(point.y);
+    const auto px = static_cast<float>(point.x), py = static_cast<float>(point.y);
     Mask4 inside{};
     for (const EdgeChunk& edges : shape.chunks()) {
-        const Mask4 straddles = (edges.from_y > y) ^ (edges.to_y > y);
+        const Mask4 straddles = (edges.from_y > py) ^ (edges.to_y > py);
         const Mask4 upwards = edges.to_y > edges.from_y;
-        const Mask4 left = edges.normal_x * x + edges.normal_y * y < edges.offset;
+        const Mask4 left =
+            edges.along_x * (py - edges.middle_y) > edges.along_y * (px - edges.middle_x);
         inside ^= straddles & ~(upwards ^ left);
     }
     return ((inside[0] ^ inside[1] ^ inside[2] ^ inside[3]) & 1) != 0;
