@@ -32,6 +32,14 @@ Distribution1D::Distribution1D(std::span<const float> weights)
     // From the rounded sums, so that pdf and sample agree to the last bit.
     for (std::size_t i = 0; i < weights.size(); ++i)
         density_[i] = (cumulative_[i + 1] - cumulative_[i]) * static_cast<float>(weights.size());
+    // The first cell that u in [i / n, (i + 1) / n) may fall into.
+    std::uint32_t cell = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const float u = static_cast<float>(i) / static_cast<float>(weights.size());
+        while (cell + 1 < weights.size() && cumulative_[cell + 1] <= u)
+            ++cell;
+        guide_.push_back(cell);
+    }
 }
 
 float Distribution1D::pdf(float x) const {
@@ -40,8 +48,11 @@ float Distribution1D::pdf(float x) const {
 
 float Distribution1D::sample(float u, float& pdf) const {
     assert(total_ > 0);
-    const auto above = std::upper_bound(cumulative_.begin() + 1, cumulative_.end() - 1, u);
-    const auto cell = static_cast<std::size_t>(above - cumulative_.begin()) - 1;
+    std::size_t cell = guide_[cell_of(u, guide_.size())];
+    while (cell > 0 && cumulative_[cell] > u) // by rounding of cell_of
+        --cell;
+    while (cell + 1 < density_.size() && cumulative_[cell + 1] <= u)
+        ++cell;
     const float low = cumulative_[cell];
     const float width = cumulative_[cell + 1] - low;
     const float part = width > 0 ? std::min((u - low) / width, below_one) : 0;
