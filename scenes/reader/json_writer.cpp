@@ -57,6 +57,9 @@ class Writer {
 
     // `inherited` is where a reader takes the node to be unless told.
     void node(const Description& of, const Location& inherited, bool is_root = false) {
+        const bool elsewhere = of.where.file != inherited.file || of.where.line != inherited.line;
+        if (is_leaf(of) && of.kind.empty() && !(style_.locations && (is_root || elsewhere)))
+            return leaf(of); // most nodes by far
         const auto use = uses_.find(&of);
         const bool shared = use != uses_.end() && use->second > 1;
         if (shared) {
