@@ -3,6 +3,7 @@
 
 #include "core/math.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,7 @@ class Distribution1D {
   private:
     std::vector<float> cumulative_; // starts with 0, ends with 1
     std::vector<float> density_;
+    std::vector<std::uint32_t> guide_; // where to begin the search (Chen & Asau 1974)
     double total_ = 0;
 };
 

@@ -66,7 +66,7 @@ class World {
     Box3 bounds() const; // empty for an empty world
     std::size_t instance_count() const;
     std::size_t triangle_count() const;   // after instancing
-    std::size_t memory_bytes() const;     // Embree's trees and our instances
+    std::size_t memory_bytes() const;     // Embree's trees, our vertices and instances
     std::uint32_t material_count() const; // 1 + the highest material index in use
 
   private:
