@@ -151,9 +151,9 @@ bool overlap(const CollisionShape& a, const Pose& pose_a, const CollisionShape& 
     const Motion b_from_a = motion(pose_a, pose_b, a_from_b);
     if (disks_overlap(a, b, b_from_a))
         return true;
-    // Rounding: no coordinate in b's frame exceeds twice the reach; a moved point has an error of
-    // at most 5 units in the last place of that, and its distance to a line 6 more. 2^-24 * 2 * 11
-    // is 1.3e-6; twice that holds for both outlines and leaves room for the double arithmetic.
+    // Rounding: no coordinate in b's frame exceeds twice the reach, M. In units of 2^-24 M a moved
+    // middle is off by at most 5, its difference to another by 1, a product with a unit vector by
+    // 6, the half length times sine or cosine by 4: less than 20 in all, or 2.4e-6 of the reach.
     const auto tolerance = static_cast<float>((4e-6 * reach + clearance) / pose_b.scale);
     if (outlines_meet(a, b, b_from_a, tolerance))
         return true;
