@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/read_mesh.h"
+#include "formats/table.h"
+
+#include "core/file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace scree {
+
+namespace {
+
+// "did you mean bunny.obj?" for a file that is not there but nearly is.
+std::string near_file(const std::string& path) {
+    std::vector<std::string> names;
+    std::error_code code;
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    for (const auto& entry :
+         std::filesystem::directory_iterator(folder.empty() ? "." : folder, code))
+        names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end()); // folders list in no order
+    return did_you_mean(file_name(path), names);
+}
+
+Mesh read_located(const Params& params) {
+    const std::string& path = params.text("path");
+    try {
+        return read_mesh(path);
+    } catch (const Error& problem) {
+        const bool missing = !std::filesystem::exists(path);
+        throw params.error("path", problem.diagnostics().front().message,
+                           missing ? near_file(path) : std::string());
+    }
+}
+
+Mesh make(const Params& params) {
+    Mesh mesh = read_located(params);
+    if (params.text("up") == "z") {
+        Matrix y_from_z(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
+        transform(mesh, y_from_z);
+    }
+    if (params.flag("closed")) {
+        const MeshFacts facts = inspect(mesh);
+        if (!facts.closed())
+            throw params.error(
+                "path", fmt::format("{}: the mesh is open: {} boundary edges, {} non-manifold "
+                                    "edges; expected a closed mesh",
+                                    mesh.name, facts.boundary_edges, facts.non_manifold_edges));
+    }
+    if (mesh.normals.empty())
+        compute_normals(mesh, params.number("crease"));
+    if (params.has("size"))
+        normalise_size(mesh, params.number("size"));
+    return mesh;
+}
+
+} // namespace
+
+Registry<Mesh(const Params& params)> mesh_file_table() {
+    Registry<Mesh(const Params& params)> table("mesh");
+    table.add({
+        "file",
+        "A mesh read from an OBJ, PLY, STL or glTF file.",
+        {
+            {.name = "path",
+             .type = ParamType::path,
+             .doc = "The file: .obj, .ply, .stl, .gltf or .glb."},
+            {.name = "size",
+             .type = ParamType::number,
+             .doc = "Scale so that the longest side of its box is this long, and stand it on y = 0 "
+                    "with the y axis in the middle; without it the mesh stays as it is.",
+             .unit = "m",
+             .optional = true,
+             .min = 1e-6,
+             .max = 1e6},
+            {.name = "up",
+             .type = ParamType::choice,
+             .doc = "The file's axis that points up.",
+             .fallback = std::string("y"),
+             .choices = {"y", "z"}},
+            {.name = "crease",
+             .type = ParamType::number,
+             .doc = "Where the file has no normals, edges that bend more than this stay sharp.",
+             .unit = "deg",
+             .fallback = radians(40),
+             .min = 0.0,
+             .max = 180.0},
+            {.name = "closed",
+             .type = ParamType::boolean,
+             .doc = "Whether an open mesh is an error.",
+             .fallback = false},
+        },
+        make,
+    });
+    return table;
+}
+
+} // namespace scree

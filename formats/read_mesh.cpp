@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/read_mesh.h"
+
+#include "core/error.h"
+#include "core/file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace scree {
+
+namespace {
+
+Mesh read_by_ending(const std::string& path, const std::string& bytes) {
+    const std::string ending = extension(path);
+    if (ending == "obj")
+        return read_obj(bytes);
+    if (ending == "ply")
+        return read_ply(bytes);
+    if (ending == "stl")
+        return read_stl(bytes);
+    if (ending == "gltf" || ending == "glb")
+        return read_gltf(bytes, std::filesystem::path(path).parent_path().string());
+    throw Error("is not a mesh that can be read; expected .obj, .ply, .stl, .gltf or .glb");
+}
+
+// What every reader's mesh must be before anyone may index into it.
+void check(Mesh& mesh) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        if (!is_finite(mesh.positions[i]))
+            throw Error("vertex " + std::to_string(i) + " has a position that is not a number");
+    for (const Mesh::Triangle& t : mesh.triangles)
+        for (const std::uint32_t index : t)
+            if (index >= mesh.positions.size())
+                throw Error("a face names vertex " + std::to_string(index) + " of " +
+                            std::to_string(mesh.positions.size()));
+    if (mesh.triangles.empty())
+        throw Error("it has no triangles");
+    const auto bad_normal = [](const Vec3& n) { return !is_finite(n) || n.length() < 1e-6F; };
+    if (mesh.normals.size() != mesh.positions.size() ||
+        std::any_of(mesh.normals.begin(), mesh.normals.end(), bad_normal))
+        mesh.normals.clear();
+    for (Vec3& n : mesh.normals)
+        n.normalize();
+    const auto bad_uv = [](const Vec2f& t) { return !std::isfinite(t.x) || !std::isfinite(t.y); };
+    if (mesh.uvs.size() != mesh.positions.size() ||
+        std::any_of(mesh.uvs.begin(), mesh.uvs.end(), bad_uv))
+        mesh.uvs.clear();
+}
+
+} // namespace
+
+Mesh read_mesh(const std::string& path) {
+    const std::string bytes = read_file(path); // its errors name the file already
+    try {
+        Mesh mesh = read_by_ending(path, bytes);
+        check(mesh);
+        mesh.name = file_name(path);
+        return mesh;
+    } catch (const Error& problem) {
+        throw Error(path + ": " + problem.diagnostics().front().message);
+    } catch (const std::bad_alloc&) {
+        throw Error::resource(path + ": there is not enough memory to read it");
+    } catch (const std::exception& problem) { // of a library
+        throw Error(path + ": it is damaged: " + problem.what());
+    }
+}
+
+} // namespace scree

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/read_mesh.h"
+
+#include "core/error.h"
+
+#include <tiny_obj_loader.h>
+
+#include <map>
+#include <sstream>
+#include <tuple>
+
+namespace scree {
+
+namespace {
+
+// OBJ indexes positions, normals and UVs apart; a vertex here is one combination of the three.
+class Vertices {
+  public:
+    explicit Vertices(const tinyobj::attrib_t& attributes) : attributes_(attributes) {}
+
+    std::uint32_t add(const tinyobj::index_t& index) {
+        check(index.vertex_index, attributes_.vertices.size() / 3);
+        const auto key = std::tuple(index.vertex_index, index.normal_index, index.texcoord_index);
+        const auto [entry, added] =
+            known_.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
+        if (added)
+            append(index);
+        return entry->second;
+    }
+
+    Mesh mesh;
+
+  private:
+    static void check(int index, std::size_t count) {
+        if (index < 0 || std::size_t(index) >= count)
+            throw Error("a face names vertex " + std::to_string(index + 1) + " of " +
+                        std::to_string(count));
+    }
+
+    void append(const tinyobj::index_t& index) {
+        const float* p = &attributes_.vertices[3 * std::size_t(index.vertex_index)];
+        mesh.positions.emplace_back(p[0], p[1], p[2]);
+        if (index.normal_index >= 0) {
+            check(index.normal_index, attributes_.normals.size() / 3);
+            const float* n = &attributes_.normals[3 * std::size_t(index.normal_index)];
+            mesh.normals.emplace_back(n[0], n[1], n[2]);
+        }
+        if (index.texcoord_index >= 0) {
+            check(index.texcoord_index, attributes_.texcoords.size() / 2);
+            const float* t = &attributes_.texcoords[2 * std::size_t(index.texcoord_index)];
+            mesh.uvs.emplace_back(t[0], t[1]);
+        }
+    }
+
+    const tinyobj::attrib_t& attributes_;
+    std::map<std::tuple<int, int, int>, std::uint32_t> known_;
+};
+
+} // namespace
+
+Mesh read_obj(std::string_view bytes) {
+    std::istringstream in{std::string(bytes)};
+    tinyobj::attrib_t attributes;
+    std::vector<tinyobj::shape_t> shapes;
+    std::vector<tinyobj::material_t> materials;
+    std::string warnings;
+    std::string errors;
+    // Faces are cut into triangles by us: the library's own ear clipping reads beyond forged faces.
+    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warnings, &errors, &in, nullptr,
+                          false))
+        throw Error(errors.empty() ? "it is damaged" : errors.substr(0, errors.find('\n')));
+    Vertices vertices(attributes);
+    for (const tinyobj::shape_t& shape : shapes) {
+        std::size_t first = 0;
+        for (const auto corners : shape.mesh.num_face_vertices) {
+            for (std::size_t k = 2; k < corners; ++k)
+                vertices.mesh.triangles.push_back(
+                    {vertices.add(shape.mesh.indices.at(first)),
+                     vertices.add(shape.mesh.indices.at(first + k - 1)),
+                     vertices.add(shape.mesh.indices.at(first + k))});
+            first += corners;
+        }
+    }
+    return std::move(vertices.mesh);
+}
+
+} // namespace scree
