@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -25,7 +26,7 @@ namespace {
 constexpr int channel_descriptor = 3;
 constexpr rlim_t most_descriptors = 8; // stdio, the pipe, one script at a time
 
-void limit(__rlimit_resource_t resource, rlim_t value) {
+void limit(int resource, rlim_t value) {
     rlimit now{};
     getrlimit(resource, &now);
     const rlimit wanted{std::min(value, now.rlim_max), std::min(value, now.rlim_max)};

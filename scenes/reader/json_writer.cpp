@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <iterator>
+
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdio>
-#include <fmt/format.h>
 #include <regex>
 
 namespace scree {

@@ -4,6 +4,7 @@
 #include "scenes/reader/words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace scree {
 

@@ -5,6 +5,8 @@
 #include "scenes/reader/check_value.h"
 #include "scenes/reader/plugins.h"
 
+#include <algorithm>
+#include <optional>
 #include <unordered_map>
 
 namespace scree {

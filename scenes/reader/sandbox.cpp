@@ -4,6 +4,7 @@
 #include "core/file.h"
 #include "scenes/reader/json.h"
 
+#include <algorithm>
 #include <clocale>
 #include <cmath>
 #include <csignal>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <lua.hpp>
 #include <new>
 #include <nlohmann/json.hpp>

@@ -6,6 +6,7 @@
 #include "scenes/reader/json.h"
 #include "scenes/reader/sandbox.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <fmt/format.h>

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace scree {
+
+/// A JSON value with its line.
+struct Json {
+    using Array = std::vector<Json>;
+    using Object = std::vector<std::pair<std::string, Json>>;
+
+    int line = 0;
+    std::variant<std::monostate, bool, std::int64_t, double, std::string, Array, Object> data;
+};
+
+/// Parses the text. Throws Error with `file` and line for what is not JSON, for a name that stands
+/// twice in one object, and for values nested too deep.
+Json parse_json(std::string_view text, const std::string& file);
+
+} // namespace scree
