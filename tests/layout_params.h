@@ -35,7 +35,6 @@ inline Params layout_params(Value domain, std::vector<Params> components) {
     params.set("domain", std::move(domain), {"scene.lua", 9});
     params.set("components", std::make_shared<const std::vector<Params>>(std::move(components)),
                {"scene.lua", 10});
-    params.set("rotation", Range{0, 2 * pi});
     return params;
 }
 

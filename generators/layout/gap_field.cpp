@@ -77,6 +77,7 @@ GapField::GapField(const DomainTest& domain, int resolution, Device* device) : d
 GapField::~GapField() = default;
 
 void GapField::occupy(const Region& outline, const Pose& pose) {
+    changed_ = true;
     std::vector<Ring> rings = outline.rings;
     for (Ring& ring : rings)
         for (Vec2& v : ring)
@@ -123,10 +124,11 @@ void GapField::update_on_host() {
 
 std::vector<Vec2> GapField::candidates(std::uint32_t exponent, std::uint64_t seed,
                                        std::uint64_t round) {
-    if (device_ != nullptr)
+    if (changed_ && device_ != nullptr)
         update_on_device();
-    else
+    else if (changed_)
         update_on_host();
+    changed_ = false;
     const std::uint32_t maximum = *std::max_element(row_maximum_.begin(), row_maximum_.end());
     std::vector<Vec2> points;
     if (maximum == 0)

@@ -41,6 +41,7 @@ class GapField {
     void update_on_host();
     void update_on_device();
 
+    bool changed_ = true; // since the distances were last computed
     double pixel_ = 0;
     Vec2 origin_;
     int width_ = 0;

@@ -175,7 +175,7 @@ std::vector<ParamSpec> layout_specs() {
          .type = ParamType::range,
          .doc = "Angles, from +x towards +z.",
          .unit = "deg",
-         .fallback = Range{0, 360}},
+         .fallback = Range{0, 2 * pi}},
         {.name = "scale",
          .type = ParamType::range,
          .doc = "Uniform scales.",
