@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Path tracing of a heap of many instances: how much of the time is Embree's own?
-//   render_bench [mesh.obj] [runs]
+//   render_bench [mesh.obj] [runs] [samples]
 #include "render/render.h"
 
 #include "core/file.h"
@@ -121,7 +121,7 @@ int main(int count, char** arguments) {
     scene.camera.from = {0.0F, 2.0F, 3.0F};
     scene.film.width = 640;
     scene.film.height = 360;
-    scene.film.samples = 64;
+    scene.film.samples = count > 3 ? std::atoi(arguments[3]) : 64;
     scene.film.depth = 5;
     fmt::print("{} instances of {} triangles, {:.1f} MiB, built in {:.2f} s, {} threads\n",
                world.instance_count(), mesh->triangles.size(),
