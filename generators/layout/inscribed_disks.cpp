@@ -62,7 +62,7 @@ std::vector<Disk> inscribed_disks(const Region& region, std::size_t count) {
                 step /= 2;
         }
         disks.push_back({best, -signed_distance(region, best)});
-        // Disks below a fifth of the largest hit too rarely to pay for their test (layout_bench).
+        // A disk of a fifth of the largest one's radius has 4% of its area: it hits too rarely.
         if (disks.back().radius < disks.front().radius / 5) {
             disks.pop_back();
             break;
