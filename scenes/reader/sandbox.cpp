@@ -33,6 +33,7 @@ constexpr std::size_t memory_reserve = std::size_t{16} << 20;
 struct Watch {
     const Channel* channel = nullptr;
     const Sandbox* sandbox = nullptr;
+    lua_State* main_state = nullptr;
     std::size_t memory_limit = 0;
     std::size_t memory_used = 0;
     Place place; // where the script was when last seen
@@ -45,6 +46,12 @@ Watch watch;
     _exit(0);
 }
 
+// While errors unwind the stack there is no script on it: then the last place is the best.
+void see(Place place) {
+    if (place.file >= 0)
+        watch.place = place;
+}
+
 void* allocate(void*, void* old, std::size_t old_size, std::size_t size) {
     const std::size_t freed = old == nullptr ? 0 : old_size;
     if (size == 0) {
@@ -52,8 +59,12 @@ void* allocate(void*, void* old, std::size_t old_size, std::size_t size) {
         watch.memory_used -= freed;
         return nullptr;
     }
-    if (size > freed && watch.memory_used - freed + size > watch.memory_limit + memory_reserve)
+    if (size > freed && watch.memory_used - freed + size > watch.memory_limit + memory_reserve) {
+        // The main state is alive whatever runs; in a coroutine its line is that of the resume.
+        if (watch.main_state != nullptr)
+            see(watch.sandbox->place(watch.main_state));
         return nullptr;
+    }
     void* block = std::realloc(old, size);
     if (block != nullptr)
         watch.memory_used += size - freed;
@@ -82,12 +93,6 @@ void start_timer(double seconds) {
 void stop_timer() {
     const itimerval none{};
     setitimer(ITIMER_PROF, &none, nullptr);
-}
-
-// While errors unwind the stack there is no script on it: then the last place is the best.
-void see(Place place) {
-    if (place.file >= 0)
-        watch.place = place;
 }
 
 void on_hook(lua_State* state, lua_Debug* event) {
@@ -153,6 +158,7 @@ Sandbox::Sandbox(const Channel& channel, const ScriptOptions& options)
     if (state_ == nullptr)
         end_at_limit(ScriptMessage::memory, {});
     *static_cast<Sandbox**>(lua_getextraspace(state_)) = this;
+    watch.main_state = state_;
 }
 
 // The state is not closed: the process ends, and closing would run for long on a full heap.

@@ -1,5 +1,3 @@
 --! seconds 0.3
 local n = 0
-while true do
-  n = n + 1
-end
+while true do n = n + 1 end

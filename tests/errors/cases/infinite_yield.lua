@@ -1,3 +1,2 @@
 --! seconds 0.3
-local spin = coroutine.wrap(function() while true do coroutine.yield() end end)
-while true do spin() end
+local co = coroutine.wrap(function() while true do coroutine.yield() end end) while true do co() end
