@@ -52,26 +52,27 @@ std::string type_text(const ParamSpec& spec) {
     }
 }
 
-// Defaults are kept in the unit of scripts.
-std::string value_text(const Value& value) {
+// Defaults are kept in the program's units; scripts have degrees.
+std::string value_text(const Value& value, double unit) {
     struct Text {
+        double unit;
         std::string operator()(std::monostate) const { return ""; }
         std::string operator()(bool b) const { return b ? "true" : "false"; }
         std::string operator()(std::int64_t i) const { return std::to_string(i); }
-        std::string operator()(double d) const { return fmt::format("{:.6g}", d); }
+        std::string operator()(double d) const { return fmt::format("{:.6g}", d / unit); }
         std::string operator()(const std::string& s) const { return '"' + s + '"'; }
         std::string operator()(const Vec2& v) const {
             return fmt::format("{{{:g}, {:g}}}", v.x, v.y);
         }
         std::string operator()(const Vec3& v) const {
-            return fmt::format("{{{:g}, {:g}, {:g}}}", v.x, v.y, v.z);
+            return fmt::format("{{{:g}, {:g}, {:g}}}", v.x / unit, v.y / unit, v.z / unit);
         }
         std::string operator()(const Color& c) const {
             return (*this)(static_cast<const Vec3&>(c));
         }
         std::string operator()(const Texture& t) const { return (*this)(t.constant); }
         std::string operator()(const Range& r) const {
-            return fmt::format("{{{:g}, {:g}}}", r.low, r.high);
+            return fmt::format("{{{:g}, {:g}}}", r.low / unit, r.high / unit);
         }
         std::string operator()(const std::vector<Vec2>&) const { return ""; }
         std::string operator()(const std::shared_ptr<const Mesh>&) const { return ""; }
@@ -81,12 +82,12 @@ std::string value_text(const Value& value) {
             return "";
         }
     };
-    return std::visit(Text{}, value);
+    return std::visit(Text{unit}, value);
 }
 
 std::string default_text(const ParamSpec& spec) {
     if (!std::holds_alternative<std::monostate>(spec.fallback))
-        return value_text(spec.fallback);
+        return value_text(spec.fallback, spec.unit == "deg" ? radians(1) : 1);
     return spec.optional ? "none" : "required";
 }
 
