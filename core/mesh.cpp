@@ -102,23 +102,25 @@ MeshFacts inspect(const Mesh& mesh) {
     return facts;
 }
 
-void compute_normals(Mesh& mesh, double crease) {
+void compute_normals(Mesh& mesh, double crease, NormalWeight weight) {
     const std::vector<std::uint32_t> welded = weld(mesh);
     const float limit = static_cast<float>(std::cos(crease));
     struct Corner {
         std::uint32_t triangle;
         int slot;
-        float angle;
+        float weight;
     };
     std::vector<std::vector<Corner>> corners(mesh.positions.size());
     std::vector<Vec3> faces(mesh.triangles.size());
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
         const Mesh::Triangle& t = mesh.triangles[i];
-        faces[i] = face_vector(mesh, t).normalized();
+        const Vec3 vector = face_vector(mesh, t);
+        faces[i] = vector.normalized();
+        const float share = weight == NormalWeight::angle ? 1.0F : vector.length();
         for (int k = 0; k < 3; ++k) {
             const float angle = corner_angle(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]],
                                              mesh.positions[t[(k + 2) % 3]]);
-            corners[welded[t[k]]].push_back({i, k, angle});
+            corners[welded[t[k]]].push_back({i, k, angle * share});
         }
     }
 
@@ -133,7 +135,7 @@ void compute_normals(Mesh& mesh, double crease) {
             Vec3 normal(0.0F);
             for (const Corner& other : around)
                 if (faces[corner.triangle].dot(faces[other.triangle]) >= limit)
-                    normal += faces[other.triangle] * other.angle;
+                    normal += faces[other.triangle] * other.weight;
             normal.normalize();
             const std::uint32_t old = mesh.triangles[corner.triangle][corner.slot];
             std::vector<std::uint32_t>& candidates = made[old];

@@ -46,9 +46,14 @@ struct MeshFacts {
 };
 MeshFacts inspect(const Mesh& mesh);
 
-/// Fills `normals` with angle-weighted vertex normals (Thürmer & Wüthrich 1998). Edges whose faces
-/// meet at more than `crease` [rad] become sharp: their vertices are split.
-void compute_normals(Mesh& mesh, double crease);
+/// How much a face counts in the normal of its vertex: by its angle there (Thürmer & Wüthrich
+/// 1998), best for curved surfaces; or by angle and area, which keeps the large faces between
+/// small bevels flat.
+enum class NormalWeight { angle, angle_and_area };
+
+/// Fills `normals` with weighted vertex normals. Edges whose faces meet at more than `crease` [rad]
+/// become sharp: their vertices are split.
+void compute_normals(Mesh& mesh, double crease, NormalWeight weight = NormalWeight::angle);
 
 /// Moves the mesh so that its bounding box is centred on the y axis and stands on y = 0, then
 /// scales it so that its longest side is `size` [m].
