@@ -5,6 +5,7 @@
 #include "generators/components/outline.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace scree {
 
@@ -76,16 +77,28 @@ Mesh extrude(const std::vector<Ring>& rings, double height, double bevel, int be
     for (const Ring& ring : rings)
         bevel = std::min(bevel, 0.8 * largest_inset(ring));
 
+    const auto cap_plan = [&] {
+        std::vector<Ring> caps;
+        for (const Ring& ring : rings)
+            caps.push_back(inset(ring, bevel));
+        return triangulate_rings(caps);
+    };
+    Triangulation plan = cap_plan();
+    // Where the body is narrower than two bevels its cap would cross itself.
+    while (plan.triangles.empty() && bevel > 0) {
+        bevel = bevel > 0.01 * height ? bevel / 2 : 0;
+        plan = cap_plan();
+    }
+    if (plan.triangles.empty())
+        throw std::logic_error("extrude: the outline crosses itself");
+
     Mesh mesh;
-    std::vector<Ring> caps;
     Box2 frame;
     for (const Ring& ring : rings) {
         append(mesh, wall(ring, height, bevel, bevel_segments));
-        caps.push_back(inset(ring, bevel));
         for (const Vec2& p : ring)
             frame.extendBy(p);
     }
-    const Triangulation plan = triangulate_rings(caps);
     add_cap(mesh, plan, frame, height, true);
     add_cap(mesh, plan, frame, 0, false);
     compute_normals(mesh, crease, NormalWeight::angle_and_area);

@@ -13,7 +13,7 @@ struct Triangulation {
 };
 
 /// Constrained Delaunay triangulation (CGAL) of the inside of `rings`: outer ones
-/// counter-clockwise, holes clockwise, none touching another.
+/// counter-clockwise, holes clockwise; empty when two edges cross.
 Triangulation triangulate_rings(const std::vector<Ring>& rings);
 
 /// A flat body: the outline `rings` as seen from above (x to the right, the outline's second

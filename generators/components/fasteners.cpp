@@ -39,6 +39,8 @@ Mesh bolt(const Params& params) {
     const double head = number_or(params, "head_height", 0.65 * diameter);
     if (across < 1.2 * diameter)
         throw params.error("head_width", "must be at least 1.2 times the diameter");
+    if (head > 20 * diameter)
+        throw params.error("head_height", "must be at most 20 times the diameter");
     const double top =
         std::clamp(number_or(params, "thread", 2.75 * diameter), 0.3 * length, 0.97 * length);
 

@@ -37,7 +37,7 @@ void mark_inside(Delaunay& delaunay) {
 
 } // namespace
 
-Triangulation triangulate_rings(const std::vector<Ring>& rings) {
+Triangulation triangulate_rings(const std::vector<Ring>& rings) try {
     Delaunay delaunay;
     Triangulation out;
     for (const Ring& ring : rings) {
@@ -56,6 +56,8 @@ Triangulation triangulate_rings(const std::vector<Ring>& rings) {
             out.triangles.push_back(
                 {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
     return out;
+} catch (const Delaunay::Intersection_of_constraints_exception&) {
+    return {};
 }
 
 } // namespace scree

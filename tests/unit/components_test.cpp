@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace scree {
+namespace {
+
+Params defaults(const Plugin<MakeMesh>& plugin) {
+    Params params("mesh." + plugin.name, {});
+    for (const ParamSpec& spec : plugin.params)
+        if (!std::holds_alternative<std::monostate>(spec.fallback))
+            params.set(spec.name, spec.fallback);
+    return params;
+}
+
+Mesh make(const std::string& name, const std::vector<std::pair<std::string, Value>>& values = {}) {
+    const auto table = component_table();
+    const Plugin<MakeMesh>& plugin = *table.find(name);
+    Params params = defaults(plugin);
+    for (const auto& [key, value] : values)
+        params.set(key, value);
+    return plugin.make(params);
+}
+
+void expect_sound(const Mesh& mesh, const std::string& what) {
+    SCOPED_TRACE(what);
+    ASSERT_FALSE(mesh.triangles.empty());
+    const MeshFacts facts = inspect(mesh);
+    EXPECT_TRUE(facts.finite);
+    EXPECT_EQ(facts.degenerate_triangles, 0U);
+    EXPECT_EQ(facts.non_manifold_edges, 0U);
+    if (mesh.name != "plane") {
+        EXPECT_EQ(facts.boundary_edges, 0U);
+        EXPECT_GT(volume(mesh), 0);
+    }
+    ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+    ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
+    float worst = 0;
+    for (const Vec3& n : mesh.normals)
+        worst = std::max(worst, std::isfinite(n.length()) ? std::abs(n.length() - 1) : 1e9F);
+    EXPECT_LT(worst, 1e-4F);
+    for (const Vec2f& uv : mesh.uvs)
+        ASSERT_TRUE(std::isfinite(uv.x) && std::isfinite(uv.y));
+    const Box3 box = bounds(mesh);
+    const float tolerance = 1e-5F * box.size().length();
+    EXPECT_EQ(box.min.y, 0.0F);
+    EXPECT_NEAR(box.center().x, 0.0F, tolerance);
+    EXPECT_NEAR(box.center().z, 0.0F, tolerance);
+}
+
+// The area of the triangles whose shading normals lean more than 60 degrees from their plane.
+double area_of_wrong_normals(const Mesh& mesh) {
+    double sum = 0;
+    for (const Mesh::Triangle& t : mesh.triangles) {
+        const Vec3& a = mesh.positions[t[0]];
+        const Vec3 face = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+        for (const std::uint32_t i : t)
+            if (face.normalized().dot(mesh.normals[i]) < 0.5F) {
+                sum += 0.5 * double(face.length());
+                break;
+            }
+    }
+    return sum;
+}
+
+TEST(Components, AreSoundAtTheirDefaults) {
+    const auto table = component_table();
+    EXPECT_GE(table.plugins().size(), 20U);
+    for (const Plugin<MakeMesh>& plugin : table.plugins()) {
+        const Mesh mesh = plugin.make(defaults(plugin));
+        expect_sound(mesh, plugin.name);
+        EXPECT_EQ(mesh.name, plugin.name);
+        EXPECT_LT(mesh.triangles.size(), 25000U) << plugin.name;
+        EXPECT_LT(area_of_wrong_normals(mesh), 1e-3 * area(mesh)) << plugin.name;
+    }
+}
+
+// One parameter after the other at its least and its greatest value. Combinations that contradict
+// each other must say so.
+TEST(Components, AreSoundAtExtremes) {
+    const auto table = component_table();
+    int made = 0;
+    for (const Plugin<MakeMesh>& plugin : table.plugins()) {
+        for (const ParamSpec& spec : plugin.params) {
+            std::vector<Value> values;
+            for (const std::string& choice : spec.choices)
+                values.emplace_back(choice);
+            if (spec.type == ParamType::boolean)
+                values = {true, false};
+            for (const auto& limit : {spec.min, spec.max}) {
+                if (!limit)
+                    continue;
+                const double inside = spec.unit == "deg" ? radians(*limit) : *limit;
+                values.push_back(spec.type == ParamType::integer
+                                     ? Value(static_cast<std::int64_t>(*limit))
+                                     : Value(inside));
+            }
+            for (const Value& value : values) {
+                Params params = defaults(plugin);
+                params.set(spec.name, value);
+                const std::string what =
+                    plugin.name + "." + spec.name + " " + std::to_string(&value - values.data());
+                try {
+                    expect_sound(plugin.make(params), what);
+                    ++made;
+                } catch (const Error& refused) {
+                    EXPECT_NE(refused.diagnostics().front().path, "") << what;
+                } catch (const std::exception& problem) {
+                    ADD_FAILURE() << what << ": " << problem.what();
+                }
+            }
+        }
+    }
+    EXPECT_GT(made, 100);
+}
+
+TEST(Components, SizesScaleTheWholeShape) {
+    for (const auto& [name, size] :
+         std::vector<std::pair<std::string, std::string>>{{"banana", "length"},
+                                                          {"rice", "length"},
+                                                          {"chestnut", "width"},
+                                                          {"jack", "size"},
+                                                          {"duck", "length"},
+                                                          {"tree", "height"},
+                                                          {"letter", "size"},
+                                                          {"star", "radius"},
+                                                          {"heart", "width"},
+                                                          {"gear", "radius"},
+                                                          {"block", "size"},
+                                                          {"pin", "height"}})
+        for (const double value : {1e-4, 100.0})
+            expect_sound(make(name, {{size, value}}), name + " " + std::to_string(value));
+}
+
+TEST(Components, TheSameParametersGiveTheSameBytes) {
+    const auto table = component_table();
+    for (const Plugin<MakeMesh>& plugin : table.plugins()) {
+        const Mesh a = plugin.make(defaults(plugin));
+        const Mesh b = plugin.make(defaults(plugin));
+        ASSERT_EQ(a.positions.size(), b.positions.size());
+        EXPECT_EQ(a.triangles, b.triangles) << plugin.name;
+        EXPECT_EQ(
+            std::memcmp(a.positions.data(), b.positions.data(), a.positions.size() * sizeof(Vec3)),
+            0)
+            << plugin.name;
+        EXPECT_EQ(std::memcmp(a.normals.data(), b.normals.data(), a.normals.size() * sizeof(Vec3)),
+                  0)
+            << plugin.name;
+    }
+}
+
+TEST(Components, PlaneFacesUpAndHasItsSize) {
+    const Mesh mesh = make("plane", {{"size", 6.0}});
+    EXPECT_EQ(bounds(mesh).size(), Vec3(6, 0, 6));
+    EXPECT_NEAR(area(mesh), 36, 1e-4);
+    for (const Vec3& n : mesh.normals)
+        EXPECT_EQ(n, Vec3(0, 1, 0));
+    const Mesh::Triangle t = mesh.triangles.front();
+    const Vec3 face = (mesh.positions[t[1]] - mesh.positions[t[0]])
+                          .cross(mesh.positions[t[2]] - mesh.positions[t[0]]);
+    EXPECT_GT(face.y, 0);
+}
+
+TEST(Components, BoxVolumes) {
+    EXPECT_NEAR(volume(make("box", {{"width", 0.2}, {"rounding", 0.0}})), 0.008, 1e-8);
+    // A rounded box is its inner box, that moved outwards: Steiner's formula.
+    const double r = 0.25 * 0.1;
+    const double x = 0.3 - 2 * r;
+    const double y = 0.2 - 2 * r;
+    const double z = 0.1 - 2 * r;
+    const double expected = x * y * z + 2 * r * (x * y + y * z + z * x) + pi * r * r * (x + y + z) +
+                            4.0 / 3 * pi * r * r * r;
+    const Mesh mesh =
+        make("box", {{"width", 0.3}, {"height", 0.2}, {"depth", 0.1}, {"rounding", 0.5}});
+    EXPECT_NEAR(volume(mesh) / expected, 1, 0.003);
+    EXPECT_TRUE(bounds(mesh).size().equalWithAbsError(Vec3(0.3F, 0.2F, 0.1F), 1e-6F));
+}
+
+TEST(Components, RoundVolumes) {
+    EXPECT_NEAR(volume(make("sphere", {{"radius", 0.5}})) / (4.0 / 3 * pi * 0.125), 1, 0.005);
+    EXPECT_NEAR(volume(make("torus", {{"radius", 0.5}, {"tube", 0.2}})) /
+                    (2 * pi * pi * 0.5 * 0.04),
+                1, 0.01);
+    EXPECT_NEAR(volume(make("cylinder", {{"radius", 0.5}, {"height", 2.0}, {"rounding", 0.0}})) /
+                    (pi * 0.25 * 2),
+                1, 0.005);
+    EXPECT_NEAR(volume(make("cone", {{"radius", 0.5}, {"height", 2.0}, {"rounding", 0.0}})) /
+                    (pi * 0.25 * 2 / 3),
+                1, 0.005);
+}
+
+TEST(Components, LongestSideIsTheLength) {
+    for (const std::string name : {"banana", "duck"}) {
+        const Vec3 size = bounds(make(name, {{"length", 0.5}})).size();
+        EXPECT_NEAR(std::max({size.x, size.y, size.z}), 0.5F, 1e-5F) << name;
+    }
+}
+
+TEST(Components, EveryLetterAndDigit) {
+    for (const char c : std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789z")) {
+        const Mesh mesh = make("letter", {{"letter", std::string(1, c)}});
+        expect_sound(mesh, std::string(1, c));
+        if (c != 'Q') { // whose tail hangs below the line
+            EXPECT_NEAR(bounds(mesh).size().z, 0.06F, 1e-4F) << c;
+        }
+    }
+}
+
+// The tail of the J goes to the left as seen from above, the foot of the L to the right.
+TEST(Components, LettersAreReadableFromAbove) {
+    const auto low_part_middle = [](const std::string& letter) {
+        const Mesh mesh = make("letter", {{"letter", letter}});
+        const Box3 box = bounds(mesh);
+        float sum = 0;
+        int count = 0;
+        for (const Vec3& p : mesh.positions)
+            if (p.z > 0.5F * box.max.z) { // towards the viewer: the lower part
+                sum += p.x;
+                ++count;
+            }
+        return sum / static_cast<float>(count);
+    };
+    EXPECT_LT(low_part_middle("P"), 0);
+    EXPECT_GT(low_part_middle("4"), 0);
+}
+
+TEST(Components, ContradictionsAreNamed) {
+    const auto message = [](const std::string& name, const std::string& key, const Value& value) {
+        try {
+            make(name, {{key, value}});
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(message("torus", "tube", 0.05), "mesh.torus.tube: must be less than the radius");
+    EXPECT_EQ(message("letter", "letter", std::string("?")),
+              "mesh.letter.letter: \"?\" is not one of A to Z and 0 to 9");
+    EXPECT_EQ(message("bolt", "pitch", 1e-4),
+              "mesh.bolt.pitch: the thread would have more than 200 turns");
+}
+
+// The crests of a right-handed thread rise to the right when seen from outside.
+TEST(Components, BoltThreadIsRightHanded) {
+    const Mesh mesh = make("bolt", {{"pose", std::string("standing")}});
+    const float crest = 0.00399F;
+    // Among crest vertices near +x (seen along -x, z to the left), y falls as z rises.
+    double covariance = 0;
+    const Box3 box = bounds(mesh);
+    const float middle = 0.75F * box.max.y;
+    for (const Vec3& p : mesh.positions)
+        for (const Vec3& q : mesh.positions) {
+            const bool both = std::hypot(p.x, p.z) > crest && std::hypot(q.x, q.z) > crest &&
+                              std::abs(p.y - middle) < 0.002F && p.x > 0.003F && q.x > 0.003F;
+            // Neighbours on one helix: closer in height than half of the pitch.
+            if (both && std::abs(p.y - q.y) < 0.0002F && q.z > p.z)
+                covariance += double(q.y - p.y);
+        }
+    EXPECT_LT(covariance, 0);
+}
+
+} // namespace
+} // namespace scree
