@@ -24,6 +24,7 @@ using Color = Imath::C3f; // linear Rec. 709
 using Matrix = Imath::M44f;
 
 inline constexpr double pi = std::numbers::pi;
+inline constexpr float pi_f = std::numbers::pi_v<float>;
 
 constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
 constexpr double degrees(double radians) { return radians * (180.0 / pi); }

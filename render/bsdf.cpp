@@ -12,8 +12,6 @@ namespace scree {
 
 namespace {
 
-constexpr auto pi_f = static_cast<float>(pi);
-
 Vec3 sample_cosine(const Vec2f& u) { // Malley's method
     const Vec2f d = concentric_disk(u);
     return {d.x, d.y, std::sqrt(std::max(0.0F, 1 - d.x * d.x - d.y * d.y))};

@@ -45,6 +45,7 @@ class CameraRays {
     Vec3 forward_; // unit
     Vec3 lens_x_;  // lens radius along the picture's axes
     Vec3 lens_y_;
+    bool pinhole_ = true;
     float focus_ = 1;
     float spread_ = 0;
 };

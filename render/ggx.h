@@ -8,8 +8,6 @@
 
 namespace scree::ggx {
 
-inline constexpr auto pi_f = static_cast<float>(pi);
-
 /// Density of microfacet normals per solid angle and projected area. By the tangent, not by the
 /// cosine, whose difference from 1 has no digits left for small alpha.
 inline float density(const Vec3& m, float alpha) {

@@ -20,23 +20,12 @@ float power_heuristic(float a, float b) { // Veach 1997, eq. 9.13 with beta = 2
     return 1 / (1 + ratio * ratio);
 }
 
+std::uint32_t bounce_of(int edges) { return static_cast<std::uint32_t>(edges - 1); }
+
 float largest(const Color& c) { return std::max({c.x, c.y, c.z}); }
 bool black(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 } // namespace
-
-struct Integrator::Path {
-    Ray ray;
-    Color throughput{1.0F, 1.0F, 1.0F};
-    Color radiance{0.0F, 0.0F, 0.0F};
-    Color absorption{0.0F, 0.0F, 0.0F}; // of the glass around, if any [1/m]
-    Vec3 point;                         // where the ray was scattered
-    float pdf = 0;                      // of its direction
-    bool delta = true;                  // its direction cannot be found by light sampling
-    bool absorbing = false;
-    int edges = 1; // of the path up to the ray's end
-    int bounce = 0;
-};
 
 Integrator::Integrator(const World& world, std::span<const Material> materials,
                        std::span<const Light> lights, int depth, float clamp, Mis mis)
@@ -46,22 +35,22 @@ Integrator::Integrator(const World& world, std::span<const Material> materials,
 }
 
 void Integrator::add(Path& path, const Color& contribution, int edges) const {
-    const Color light = path.throughput * contribution;
+    const Color light = path.throughput_ * contribution;
     const float value = largest(light);
     const bool too_bright = clamp_ > 0 && edges > 2 && value > clamp_;
-    path.radiance += too_bright ? light * (clamp_ / value) : light;
+    path.sample_.radiance += too_bright ? light * (clamp_ / value) : light;
 }
 
 float Integrator::hit_weight(const Path& path, float light_pdf) const {
-    if (path.delta || mis_ == Mis::bsdf_only || light_pdf == 0)
+    if (path.delta_ || mis_ == Mis::bsdf_only || light_pdf == 0)
         return 1;
-    return mis_ == Mis::light_only ? 0 : power_heuristic(path.pdf, light_pdf);
+    return mis_ == Mis::light_only ? 0 : power_heuristic(path.pdf_, light_pdf);
 }
 
 void Integrator::add_escaped(Path& path) const {
-    lights_.at_infinity(path.point, path.ray.direction, [&](const Color& radiance, float pdf) {
+    lights_.at_infinity(path.point_, path.ray_.direction, [&](const Color& radiance, float pdf) {
         if (!black(radiance))
-            add(path, radiance * hit_weight(path, pdf), path.edges);
+            add(path, radiance * hit_weight(path, pdf), path.edges_);
     });
 }
 
@@ -69,15 +58,14 @@ void Integrator::add_light(Path& path, const Hit& hit) const {
     float pdf = 0;
     // The density is that of the way from the scattering point, not from the ray's offset origin.
     const Color radiance =
-        lights_.area(hit.light, path.point, path.ray.direction, hit.distance, pdf);
+        lights_.area(hit.light, path.point_, path.ray_.direction, hit.distance, pdf);
     if (!black(radiance))
-        add(path, radiance * hit_weight(path, pdf), path.edges);
+        add(path, radiance * hit_weight(path, pdf), path.edges_);
 }
 
-void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface,
-                            const Sampler& sampler, float choice, RayCount& count) const {
-    const Vec2f u =
-        sampler.pair(dimension::at(static_cast<std::uint32_t>(path.bounce), dimension::light));
+void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface, float choice,
+                            RayCount& count) const {
+    const Vec2f u = path.sampler_.pair(dimension::at(bounce_of(path.edges_), dimension::light));
     const LightSample light = lights_.sample(hit.position, choice, u);
     if (!(light.pdf > 0) || black(light.radiance))
         return;
@@ -90,75 +78,89 @@ void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface,
     if (world_.occluded(shadow, count.clock))
         return;
     const float weight = mis_ == Mis::both ? power_heuristic(light.pdf, bsdf.pdf) : 1.0F;
-    add(path, bsdf.value * light.radiance * (weight / light.pdf), path.edges + 1);
+    add(path, bsdf.value * light.radiance * (weight / light.pdf), path.edges_ + 1);
 }
 
-PathSample Integrator::trace(const CameraRay& camera_ray, float spread, const Sampler& sampler,
-                             RayCount& count) const {
-    PathSample result;
-    Path path;
-    path.ray = {camera_ray.origin, camera_ray.direction};
-    path.point = camera_ray.origin;
-    float way = 0;
-    Hit hit;
-    for (;; ++path.edges, ++path.bounce) {
-        ++count.rays;
-        if (!world_.hit(path.ray, hit, count.clock)) {
-            add_escaped(path);
-            break;
-        }
-        way += hit.distance;
-        if (path.absorbing)
-            for (int i = 0; i < 3; ++i)
-                path.throughput[i] *= std::exp(-path.absorption[i] * hit.distance);
-        if (path.edges == 1) {
-            result.covered = true;
-            result.position = hit.position;
-            result.distance = hit.distance;
-            result.instance = hit.instance;
-            result.normal = hit.shading_normal;
-        }
-        if (hit.light != Hit::none) {
-            add_light(path, hit);
-            break;
-        }
-        if (path.edges >= depth_ && path.edges > 1)
-            break;
-        const Surface surface = materials_.surface(hit, path.ray.direction, spread * way);
-        if (path.edges == 1) {
-            result.albedo = surface.albedo();
-            result.normal = surface.frame.z;
-        }
-        if (path.edges >= depth_)
-            break;
-        const auto bounce = static_cast<std::uint32_t>(path.bounce);
-        const Vec2f choice = sampler.pair(dimension::at(bounce, dimension::choice));
-        if (mis_ != Mis::bsdf_only && !lights_.empty() && !surface.bsdf.delta())
-            add_direct(path, hit, surface, sampler, choice.x, count);
-        const BsdfSample scattered =
-            surface.sample(choice.y, sampler.pair(dimension::at(bounce, dimension::direction)));
-        if (!(scattered.pdf > 0))
-            break;
-        path.throughput *= scattered.weight;
-        if (path.edges >= first_roulette_edge) {
-            const float survival = std::min(1.0F, largest(path.throughput));
-            if (sampler.pair(dimension::at(bounce, dimension::roulette)).x >= survival)
-                break;
-            path.throughput /= survival;
-        } else if (black(path.throughput)) {
-            break;
-        }
-        if (scattered.transmitted) {
-            path.absorption = surface.outside ? surface.inside : Color(0.0F, 0.0F, 0.0F);
-            path.absorbing = !black(path.absorption);
-        }
-        path.pdf = scattered.pdf;
-        path.delta = scattered.delta;
-        path.point = hit.position;
-        path.ray = hit.leave(scattered.direction);
+// Adds what the end of the path's ray brings and scatters the path there; false at its end.
+bool Integrator::advance(Path& path, float spread, RayCount& count) const {
+    if (!path.found_.found()) {
+        add_escaped(path);
+        return false;
     }
-    result.radiance = path.radiance;
-    return result;
+    Hit hit;
+    world_.fill(path.ray_, path.found_, hit);
+    path.way_ += hit.distance;
+    if (path.absorbing_)
+        for (int i = 0; i < 3; ++i)
+            path.throughput_[i] *= std::exp(-path.absorption_[i] * hit.distance);
+    const bool first = path.edges_ == 1;
+    if (first) {
+        path.sample_.covered = true;
+        path.sample_.position = hit.position;
+        path.sample_.distance = hit.distance;
+        path.sample_.instance = hit.instance;
+        path.sample_.normal = hit.shading_normal;
+    }
+    if (hit.light != Hit::none) {
+        add_light(path, hit);
+        return false;
+    }
+    if (path.edges_ >= depth_ && !first)
+        return false;
+    const Surface surface = materials_.surface(hit, path.ray_.direction, spread * path.way_);
+    if (first) {
+        path.sample_.albedo = surface.albedo();
+        path.sample_.normal = surface.frame.z;
+    }
+    if (path.edges_ >= depth_)
+        return false;
+    const std::uint32_t bounce = bounce_of(path.edges_);
+    const Vec2f choice = path.sampler_.pair(dimension::at(bounce, dimension::choice));
+    if (mis_ != Mis::bsdf_only && !lights_.empty() && !surface.bsdf.delta())
+        add_direct(path, hit, surface, choice.x, count);
+    const BsdfSample scattered =
+        surface.sample(choice.y, path.sampler_.pair(dimension::at(bounce, dimension::direction)));
+    if (!(scattered.pdf > 0))
+        return false;
+    path.throughput_ *= scattered.weight;
+    if (path.edges_ >= first_roulette_edge) {
+        const float survival = std::min(1.0F, largest(path.throughput_));
+        if (path.sampler_.pair(dimension::at(bounce, dimension::roulette)).x >= survival)
+            return false;
+        path.throughput_ /= survival;
+    } else if (black(path.throughput_)) {
+        return false;
+    }
+    if (scattered.transmitted) {
+        path.absorption_ = surface.outside ? surface.inside : Color(0.0F, 0.0F, 0.0F);
+        path.absorbing_ = !black(path.absorption_);
+    }
+    path.pdf_ = scattered.pdf;
+    path.delta_ = scattered.delta;
+    path.point_ = hit.position;
+    path.ray_ = hit.leave(scattered.direction);
+    ++path.edges_;
+    return true;
+}
+
+void Integrator::trace(std::span<Path> paths, float spread, RayCount& count) const {
+    for (bool any = true; any;) {
+        for (Path& path : paths) {
+            if (!path.alive_)
+                continue;
+            ++count.rays;
+            path.found_ = world_.find(path.ray_, count.clock);
+        }
+        for (const Path& path : paths)
+            if (path.alive_)
+                world_.prefetch(path.found_);
+        any = false;
+        for (Path& path : paths)
+            if (path.alive_) {
+                path.alive_ = advance(path, spread, count);
+                any = any || path.alive_;
+            }
+    }
 }
 
 } // namespace scree

@@ -31,22 +31,50 @@ struct RayCount {
     std::uint64_t* clock = nullptr; // receives the time inside Embree when given
 };
 
+/// A path under way.
+class Path {
+  public:
+    Path(const CameraRay& ray, const Sampler& sampler)
+        : ray_{ray.origin, ray.direction}, point_(ray.origin), sampler_(sampler) {}
+
+    /// What it has brought back; complete once it has been traced.
+    const PathSample& sample() const { return sample_; }
+
+  private:
+    friend class Integrator;
+
+    PathSample sample_;
+    Ray ray_;
+    RawHit found_; // at the end of ray_
+    Color throughput_{1.0F, 1.0F, 1.0F};
+    Color absorption_{0.0F, 0.0F, 0.0F}; // of the glass around, if any [1/m]
+    Vec3 point_;                         // where the ray was scattered
+    float pdf_ = 0;                      // of its direction
+    float way_ = 0;                      // from the camera [m]
+    bool delta_ = true;                  // its direction cannot be found by light sampling
+    bool absorbing_ = false;
+    bool alive_ = true;
+    int edges_ = 1; // of the path up to the ray's end
+    Sampler sampler_;
+};
+
 /// Follows paths through a world. Thread-safe.
 class Integrator {
   public:
     Integrator(const World& world, std::span<const Material> materials,
                std::span<const Light> lights, int depth, float clamp, Mis mis);
 
+    /// Follows the paths to their ends, all together by one edge at a time, so that the memory
+    /// traffic of one is hidden behind the rays of the others; each is as if it were alone.
     /// `spread`: width of the pixel's filter per metre of way.
-    PathSample trace(const CameraRay& ray, float spread, const Sampler& sampler,
-                     RayCount& count) const;
+    void trace(std::span<Path> paths, float spread, RayCount& count) const;
 
   private:
-    struct Path;
+    bool advance(Path& path, float spread, RayCount& count) const;
     void add_escaped(Path& path) const;
     void add_light(Path& path, const Hit& hit) const;
-    void add_direct(Path& path, const Hit& hit, const Surface& surface, const Sampler& sampler,
-                    float choice, RayCount& count) const;
+    void add_direct(Path& path, const Hit& hit, const Surface& surface, float choice,
+                    RayCount& count) const;
     void add(Path& path, const Color& contribution, int edges) const;
     float hit_weight(const Path& path, float light_pdf) const;
 

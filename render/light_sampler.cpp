@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/light_sampler.h"
 
-#include "render/frame.h"
+#include "render/camera.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace scree {
 
-namespace {
+namespace {} // namespace
 
-constexpr auto pi_f = static_cast<float>(pi);
-
-} // namespace
-
-SunSampler::SunSampler(const Sun& sun) : direction_(sun.direction.normalized()) {
+SunSampler::SunSampler(const Sun& sun)
+    : direction_(sun.direction.normalized()), frame_(direction_) {
     const double radius = double(sun.angle) / 2;
     const double half_sine = std::sin(radius / 2);
     const double sine = std::sin(radius);
@@ -37,12 +34,12 @@ Color SunSampler::radiance(const Vec3& direction) const {
 
 float SunSampler::pdf(const Vec3& direction) const { return inside(direction) ? pdf_ : 0; }
 
+// Equal areas of the disk go to equal areas of the cap (Archimedes).
 Vec3 SunSampler::sample(const Vec2f& u) const {
-    const float height = u.x * cap_; // 1 - cos
-    const float sine = std::sqrt(height * (2 - height));
-    const float angle = 2 * pi_f * u.y;
-    const Frame frame(direction_);
-    return unit(frame.x * (sine * std::cos(angle)) + frame.y * (sine * std::sin(angle)) +
+    const Vec2f disk = concentric_disk(u);
+    const float height = cap_ * (disk.x * disk.x + disk.y * disk.y); // 1 - cos
+    const float stretch = std::sqrt(cap_ * (2 - height));
+    return unit(frame_.x * (stretch * disk.x) + frame_.y * (stretch * disk.y) +
                 direction_ * (1 - height));
 }
 

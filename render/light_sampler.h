@@ -2,6 +2,7 @@
 // A scene's lights made ready: which light, which direction, with what density.
 #pragma once
 
+#include "render/frame.h"
 #include "render/sky_sampler.h"
 
 #include <span>
@@ -31,6 +32,7 @@ class SunSampler {
     bool inside(const Vec3& direction) const;
 
     Vec3 direction_;
+    Frame frame_; // about it
     Color radiance_;
     float cap_;    // 1 - cos of the angular radius
     float chord2_; // squared distance from the axis to the rim on the unit sphere

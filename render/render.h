@@ -47,9 +47,9 @@ struct RenderOptions {
 
 struct RenderStats {
     std::uint64_t rays = 0;
-    double seconds = 0;                // wall clock
-    double cpu_seconds = 0;            // of the whole process
-    double embree_share = 0;           // of the render threads' time, from one in 61 pixels
+    double seconds = 0;      // wall clock
+    double cpu_seconds = 0;  // of the whole process
+    double embree_share = 0; // of the render threads' time, from one in 13 batches of paths
     std::uint64_t invalid_samples = 0; // not finite or negative; dropped
     double samples_per_pixel = 0;      // mean reached
 

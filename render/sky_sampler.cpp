@@ -7,8 +7,6 @@ namespace scree {
 
 namespace {
 
-constexpr auto pi_f = static_cast<float>(pi);
-
 // Rows of the table for a gradient, which changes only with height: 2.8 degrees each.
 constexpr int gradient_rows = 64;
 

@@ -28,7 +28,7 @@ Color paint_at(const Paint& paint, const Hit& hit, float footprint, Vec3& normal
     if (paint.texture.procedural == nullptr)
         return paint.texture.constant;
     const Procedural& procedural = *paint.texture.procedural;
-    ShadingPoint point{hit.object_position, footprint / hit.object_scale, hit.uv};
+    ShadingPoint point{hit.object_position, footprint / hit.object_scale, hit.uv()};
     ShadingSample sample;
     procedural.evaluate({&point, 1}, {&sample, 1});
     if (sample.height != 0) {

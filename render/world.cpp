@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "render/embree_adapter.h"
 #include "render/ticks.h"
+#include "render/triangle_record.h"
 
 #include <algorithm>
 #include <array>
@@ -38,20 +39,42 @@ struct InstanceRecord {
     float random;
     float scale; // of lengths, mean over the axes
     bool mirrored;
+    bool similar; // a turn and one scale, as generators make: normals go as directions do
 
     Vec3 direction(const Vec3& v) const { return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z; }
     Vec3 point(const Vec3& v) const { return direction(v) + rows[3]; }
     // Normals go by the cofactors, up to a positive factor.
     Vec3 normal(const Vec3& n) const {
+        if (similar)
+            return direction(n);
         const Vec3 image = rows[1].cross(rows[2]) * n.x + rows[2].cross(rows[0]) * n.y +
                            rows[0].cross(rows[1]) * n.z;
         return mirrored ? -image : image;
     }
 };
 
+// Up to the roundings of a matrix of floats, and without a mirror.
+bool is_similarity(const InstanceRecord& record) {
+    const float square = record.scale * record.scale;
+    const float allowed = 1e-5F * square;
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+            if (std::abs(record.rows[i].dot(record.rows[j]) - (i == j ? square : 0)) > allowed)
+                return false;
+    return !record.mirrored;
+}
+
 struct PrototypeRecord {
     const Mesh* mesh;
+    const TriangleRecord* triangles;
     std::uint32_t material;
+    bool has_normals;
+};
+
+// What instances of one mesh share.
+struct SharedMesh {
+    SceneHandle tree;
+    std::vector<TriangleRecord> triangles;
 };
 
 float largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -63,12 +86,14 @@ constexpr float rounding = 0x1p-18F;
 
 } // namespace
 
+static_assert(Hit::none == RTC_INVALID_GEOMETRY_ID);
+
 struct World::State {
     std::atomic<std::int64_t> bytes = 0;
     std::mutex error_mutex;
     std::string error;
     DeviceHandle device;
-    std::map<const Mesh*, SceneHandle> trees;
+    std::map<const Mesh*, SharedMesh> shared;
     std::vector<std::shared_ptr<const Mesh>> meshes;
     std::vector<PrototypeRecord> prototypes;
     std::vector<InstanceRecord> instances;
@@ -95,8 +120,8 @@ struct World::State {
     void add_instances(std::span<const Aggregate> aggregates);
     void add_lights(std::span<const Light> lights);
     void commit(const Context& context);
-    void fill_surface(const RTCHit& found, Hit& hit) const;
-    void fill_light(const RTCHit& found, Hit& hit) const;
+    void fill_surface(const RawHit& found, Hit& hit) const;
+    void fill_light(const RawHit& found, Hit& hit) const;
 };
 
 void World::State::open_device() {
@@ -143,17 +168,22 @@ void World::State::add_prototypes(std::span<const Aggregate> aggregates, const C
     for (const Aggregate& aggregate : aggregates)
         for (const Prototype& prototype : aggregate.prototypes) {
             const Mesh* mesh = prototype.mesh.get();
-            prototypes.push_back({mesh, prototype.material.index});
+            prototypes.push_back({mesh, nullptr, prototype.material.index, false});
             materials = std::max(materials, prototype.material.index + 1);
-            if (mesh != nullptr && !mesh->triangles.empty() && trees.emplace(mesh, nullptr).second)
+            if (mesh != nullptr && !mesh->triangles.empty() && shared.try_emplace(mesh).second)
                 meshes.push_back(prototype.mesh);
         }
     parallel_for(meshes.size(), 1, [&](std::size_t i) {
         if (context.cancel == nullptr || !context.cancel->requested())
-            trees.find(meshes[i].get())->second = tree(*meshes[i]);
+            shared.find(meshes[i].get())->second = {tree(*meshes[i]), triangle_records(*meshes[i])};
     });
     context.check_cancel();
     check();
+    for (PrototypeRecord& prototype : prototypes)
+        if (const auto found = shared.find(prototype.mesh); found != shared.end()) {
+            prototype.triangles = found->second.triangles.data();
+            prototype.has_normals = !prototype.mesh->normals.empty();
+        }
 }
 
 void World::State::add_instances(std::span<const Aggregate> aggregates) {
@@ -171,6 +201,7 @@ void World::State::add_instances(std::span<const Aggregate> aggregates) {
             record.random = instance.random;
             record.scale = std::cbrt(std::abs(volume));
             record.mirrored = volume < 0;
+            record.similar = is_similarity(record);
             instances.push_back(record);
         }
         first_prototype += static_cast<std::uint32_t>(aggregate.prototypes.size());
@@ -178,12 +209,12 @@ void World::State::add_instances(std::span<const Aggregate> aggregates) {
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const InstanceRecord& record = instances[i];
         const Mesh* mesh = prototypes[record.prototype].mesh;
-        const auto found = trees.find(mesh);
-        if (found == trees.end() || record.scale == 0)
+        const auto found = shared.find(mesh);
+        if (found == shared.end() || record.scale == 0)
             continue; // nothing to see
         triangles += mesh->triangles.size();
         const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-        rtcSetGeometryInstancedScene(geometry.get(), found->second.get());
+        rtcSetGeometryInstancedScene(geometry.get(), found->second.tree.get());
         rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                                 &record.rows[0]);
         rtcCommitGeometry(geometry.get());
@@ -248,16 +279,13 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-void World::State::fill_surface(const RTCHit& found, Hit& hit) const {
-    const InstanceRecord& record = instances[found.instID[0]];
+void World::State::fill_surface(const RawHit& found, Hit& hit) const {
+    const InstanceRecord& record = instances[found.instance];
     const PrototypeRecord& prototype = prototypes[record.prototype];
-    const Mesh& mesh = *prototype.mesh;
-    const auto [a, b, c] = mesh.triangles[found.primID];
-    const Vec3& pa = mesh.positions[a];
-    const Vec3& pb = mesh.positions[b];
-    const Vec3& pc = mesh.positions[c];
-    const float u = found.u;
-    const float v = found.v;
+    const TriangleRecord& triangle = prototype.triangles[found.primitive];
+    const auto& [pa, pb, pc] = triangle.positions;
+    const float u = found.barycentric.x;
+    const float v = found.barycentric.y;
     const float w = 1 - u - v;
     hit.object_position = pa * w + pb * u + pc * v;
     hit.position = record.point(hit.object_position);
@@ -267,9 +295,10 @@ void World::State::fill_surface(const RTCHit& found, Hit& hit) const {
                              largest(record.rows[3]));
     hit.shading_normal = hit.normal;
     hit.smooth = false;
-    if (!mesh.normals.empty()) {
+    if (prototype.has_normals) {
+        const auto& [na, nb, nc] = triangle.normals;
         const Vec3 mixed =
-            record.normal(mesh.normals[a] * w + mesh.normals[b] * u + mesh.normals[c] * v);
+            record.normal(unpack_normal(na) * w + unpack_normal(nb) * u + unpack_normal(nc) * v);
         const float square = mixed.dot(mixed);
         // Normals that vanish or point to the other side say nothing useful.
         if (square > 0 && mixed.dot(hit.normal) > 0) {
@@ -277,23 +306,24 @@ void World::State::fill_surface(const RTCHit& found, Hit& hit) const {
             hit.smooth = true;
         }
     }
-    hit.uv =
-        mesh.uvs.empty() ? Vec2f(0.0F, 0.0F) : mesh.uvs[a] * w + mesh.uvs[b] * u + mesh.uvs[c] * v;
+    hit.mesh = prototype.mesh;
+    hit.triangle = found.primitive;
+    hit.barycentric = found.barycentric;
     hit.object_scale = record.scale;
     hit.world_from_object = &record.rows[0];
     hit.random = record.random;
-    hit.instance = found.instID[0];
+    hit.instance = found.instance;
     hit.material = prototype.material;
     hit.light = Hit::none;
 }
 
-void World::State::fill_light(const RTCHit& found, Hit& hit) const {
-    const std::size_t quad = found.primID / 2;
+void World::State::fill_light(const RawHit& found, Hit& hit) const {
+    const std::size_t quad = found.primitive / 2;
     const Vec3& corner = light_vertices[4 * quad];
     const Vec3 u = light_vertices[4 * quad + 1] - corner;
     const Vec3 v = light_vertices[4 * quad + 3] - corner;
     hit.normal = hit.shading_normal = u.cross(v).normalized();
-    hit.uv = {0.0F, 0.0F};
+    hit.mesh = nullptr;
     hit.object_scale = 1;
     hit.random = 0;
     hit.instance = Hit::none;
@@ -303,7 +333,15 @@ void World::State::fill_light(const RTCHit& found, Hit& hit) const {
     hit.world_from_object = nullptr;
 }
 
-bool World::hit(const Ray& ray, Hit& hit, std::uint64_t* clock) const {
+Vec2f Hit::uv() const {
+    if (mesh == nullptr || mesh->uvs.empty())
+        return {0.0F, 0.0F};
+    const auto [a, b, c] = mesh->triangles[triangle];
+    return mesh->uvs[a] * (1 - barycentric.x - barycentric.y) + mesh->uvs[b] * barycentric.x +
+           mesh->uvs[c] * barycentric.y;
+}
+
+RawHit World::find(const Ray& ray, std::uint64_t* clock) const {
     RTCRayHit query;
     query.ray.org_x = ray.origin.x;
     query.ray.org_y = ray.origin.y;
@@ -327,16 +365,41 @@ bool World::hit(const Ray& ray, Hit& hit, std::uint64_t* clock) const {
         embree::intersect(state_->scene.get(), query);
     }
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
-        return false;
-    if (query.hit.instID[0] == RTC_INVALID_GEOMETRY_ID) {
-        state_->fill_light(query.hit, hit);
-        hit.object_position = hit.position = ray.origin + ray.direction * query.ray.tfar;
+        return {};
+    const RawHit raw{query.hit.geomID,
+                     query.hit.instID[0],
+                     query.hit.primID,
+                     {query.hit.u, query.hit.v},
+                     query.ray.tfar};
+    if (raw.instance != Hit::none)
+        __builtin_prefetch(&state_->instances[raw.instance]);
+    return raw;
+}
+
+void World::prefetch(const RawHit& raw) const {
+    if (!raw.found() || raw.instance == Hit::none)
+        return;
+    const InstanceRecord& record = state_->instances[raw.instance];
+    __builtin_prefetch(&state_->prototypes[record.prototype].triangles[raw.primitive]);
+}
+
+void World::fill(const Ray& ray, const RawHit& raw, Hit& hit) const {
+    assert(raw.found());
+    if (raw.instance == Hit::none) {
+        state_->fill_light(raw, hit);
+        hit.position = ray.origin + ray.direction * raw.distance;
         hit.offset = rounding * largest(hit.position);
     } else {
-        state_->fill_surface(query.hit, hit);
+        state_->fill_surface(raw, hit);
     }
-    hit.distance = query.ray.tfar;
-    return true;
+    hit.distance = raw.distance;
+}
+
+bool World::hit(const Ray& ray, Hit& hit, std::uint64_t* clock) const {
+    const RawHit raw = find(ray, clock);
+    if (raw.found())
+        fill(ray, raw, hit);
+    return raw.found();
 }
 
 bool World::occluded(const Ray& ray, std::uint64_t* clock) const {
@@ -376,8 +439,10 @@ std::size_t World::triangle_count() const { return state_->triangles; }
 std::uint32_t World::material_count() const { return state_->materials; }
 
 std::size_t World::memory_bytes() const {
-    return static_cast<std::size_t>(std::max<std::int64_t>(0, state_->bytes.load())) +
-           state_->instances.size() * sizeof(InstanceRecord);
+    std::size_t records = state_->instances.size() * sizeof(InstanceRecord);
+    for (const auto& [mesh, shared] : state_->shared)
+        records += shared.triangles.size() * sizeof(TriangleRecord);
+    return static_cast<std::size_t>(std::max<std::int64_t>(0, state_->bytes.load())) + records;
 }
 
 } // namespace scree

@@ -27,7 +27,6 @@ struct Hit {
     Vec3 normal;         // geometric, unit, outwards by the order of the vertices
     Vec3 shading_normal; // interpolated, unit, on the same side as `normal`
     Vec3 object_position;
-    Vec2f uv;
     float distance = 0;
     float offset = 0;       // how far the position may be off its surface [m]
     float object_scale = 1; // world length of a unit length of the object
@@ -37,12 +36,28 @@ struct Hit {
     std::uint32_t light = none;              // index into the lights, of an area light
     bool smooth = false;                     // shading_normal differs from normal
     const Vec3* world_from_object = nullptr; // rows of the instance's matrix; null on lights
+    const Mesh* mesh = nullptr;              // null on lights
+    std::uint32_t triangle = 0;
+    Vec2f barycentric{0.0F, 0.0F}; // of the triangle's second and third corner
+
+    Vec2f uv() const; // apart, since only procedurals ask
 
     /// A ray that leaves the surface and cannot meet it again by rounding.
     Ray leave(const Vec3& direction) const {
         const float side = direction.dot(normal) > 0 ? offset : -offset;
         return {position + normal * side, direction};
     }
+};
+
+/// What Embree knows of a hit; `World::fill` makes a Hit of it.
+struct RawHit {
+    std::uint32_t geometry = Hit::none; // none: the ray met nothing
+    std::uint32_t instance = Hit::none;
+    std::uint32_t primitive = 0;
+    Vec2f barycentric{0.0F, 0.0F};
+    float distance = 0;
+
+    bool found() const { return geometry != Hit::none; }
 };
 
 /// Aggregates and area lights, ready for rays. Prototypes that share a mesh share its tree.
@@ -59,6 +74,12 @@ class World {
 
     /// The first hit along the ray, if any. Adds the time inside Embree to `*clock` if given.
     bool hit(const Ray& ray, Hit& hit, std::uint64_t* clock = nullptr) const;
+
+    /// `hit` in three steps: between them a caller with several rays can let memory catch up, since
+    /// what a bounced ray hits is in no cache.
+    RawHit find(const Ray& ray, std::uint64_t* clock = nullptr) const;
+    void prefetch(const RawHit& raw) const;
+    void fill(const Ray& ray, const RawHit& raw, Hit& hit) const;
 
     /// Whether anything lies within the ray's length.
     bool occluded(const Ray& ray, std::uint64_t* clock = nullptr) const;
