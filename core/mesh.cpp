@@ -131,18 +131,26 @@ void compute_normals(Mesh& mesh, double crease, NormalWeight weight) {
     // corners of one vertex with equal normals stay one vertex.
     std::map<std::uint32_t, std::vector<std::uint32_t>> made; // old vertex -> new vertices
     for (const std::vector<Corner>& around : corners) {
+        // Every pair of faces is looked at: a vertex of a forged file must not take hours.
+        const bool crowded = around.size() > 4096;
         for (const Corner& corner : around) {
             Vec3 normal(0.0F);
-            for (const Corner& other : around)
-                if (faces[corner.triangle].dot(faces[other.triangle]) >= limit)
-                    normal += faces[other.triangle] * other.weight;
+            if (crowded)
+                normal = faces[corner.triangle];
+            else
+                for (const Corner& other : around)
+                    if (faces[corner.triangle].dot(faces[other.triangle]) >= limit)
+                        normal += faces[other.triangle] * other.weight;
             normal.normalize();
+            if (!(normal.length2() > 0.5F))
+                normal = Vec3(0, 1, 0); // of faces without area: any unit vector
             const std::uint32_t old = mesh.triangles[corner.triangle][corner.slot];
             std::vector<std::uint32_t>& candidates = made[old];
             const auto same =
-                std::find_if(candidates.begin(), candidates.end(), [&](std::uint32_t candidate) {
-                    return out.normals[candidate].equalWithAbsError(normal, 1e-5F);
-                });
+                std::find_if(crowded ? candidates.end() : candidates.begin(), candidates.end(),
+                             [&](std::uint32_t candidate) {
+                                 return out.normals[candidate].equalWithAbsError(normal, 1e-5F);
+                             });
             std::uint32_t vertex = 0;
             if (same != candidates.end()) {
                 vertex = *same;

@@ -52,7 +52,7 @@ MeshFacts inspect(const Mesh& mesh);
 enum class NormalWeight { angle, angle_and_area };
 
 /// Fills `normals` with weighted vertex normals. Edges whose faces meet at more than `crease` [rad]
-/// become sharp: their vertices are split.
+/// become sharp: their vertices are split. So are all where more than 4096 faces meet.
 void compute_normals(Mesh& mesh, double crease, NormalWeight weight = NormalWeight::angle);
 
 /// Moves the mesh so that its bounding box is centred on the y axis and stands on y = 0, then

@@ -62,11 +62,11 @@ Registry<Mesh(const Params& params)> mesh_file_table() {
     Registry<Mesh(const Params& params)> table("mesh");
     table.add({
         "file",
-        "A mesh read from an OBJ, PLY, STL or glTF file.",
+        "A mesh read from an OBJ, PLY, STL, glTF or 3DS file.",
         {
             {.name = "path",
              .type = ParamType::path,
-             .doc = "The file: .obj, .ply, .stl, .gltf or .glb."},
+             .doc = "The file: .obj, .ply, .stl, .gltf, .glb or .3ds."},
             {.name = "size",
              .type = ParamType::number,
              .doc = "Scale so that the longest side of its box is this long, and stand it on y = 0 "

@@ -2,16 +2,20 @@
 #include "formats/read_mesh.h"
 
 #include "core/error.h"
+#include "core/file.h"
 
 #include <tiny_gltf.h>
 
 #include <cstring>
+#include <filesystem>
 
 namespace scree {
 
 namespace {
 
-constexpr int depth_limit = 64; // of the node tree; a forged one may be a ring
+constexpr int depth_limit = 64;                   // of the node tree; a forged one may be a ring
+constexpr std::size_t vertex_limit = 100'000'000; // nodes repeat a mesh without any bytes of theirs
+constexpr int nesting_limit = 200; // of the JSON, which the library reads recursively
 
 // Positions of a strided accessor after every bound has been checked.
 struct View {
@@ -99,6 +103,10 @@ Mesh primitive_mesh(const tinygltf::Model& model, const tinygltf::Primitive& pri
         for (std::uint32_t i = 0; i < mesh.positions.size(); ++i)
             corners.push_back(i);
     }
+    for (const std::uint32_t corner : corners)
+        if (corner >= mesh.positions.size())
+            throw Error("a face names vertex " + std::to_string(corner) + " of " +
+                        std::to_string(mesh.positions.size()));
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
         mesh.triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
     return mesh;
@@ -145,6 +153,8 @@ void merge(Mesh& mesh, Mesh part) {
         part.uvs.clear();
         mesh.uvs.clear();
     }
+    if (mesh.positions.size() + part.positions.size() > vertex_limit)
+        throw Error("it has more than " + std::to_string(vertex_limit) + " vertices");
     append(mesh, part);
 }
 
@@ -190,11 +200,76 @@ bool ignore_image(tinygltf::Image*, const int, std::string*, std::string*, int, 
     return true; // only the shape is wanted, and image decoders are doors for forged files
 }
 
+void check_nesting(std::string_view json) {
+    int depth = 0;
+    bool in_text = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (c == '"')
+            in_text = !in_text;
+        else if (in_text && c == '\\')
+            ++i;
+        else if (!in_text && (c == '[' || c == '{') && ++depth > nesting_limit)
+            throw Error("its JSON is nested too deeply");
+        else if (!in_text && (c == ']' || c == '}'))
+            --depth;
+    }
+}
+
+// The JSON chunk of a binary file: 12 bytes of header, its length, its kind.
+std::string_view json_part(std::string_view bytes) {
+    if (!bytes.starts_with("glTF"))
+        return bytes;
+    std::uint32_t length = 0;
+    if (bytes.size() < 20)
+        throw Error("it ends too early");
+    std::memcpy(&length, bytes.data() + 12, sizeof length);
+    return bytes.substr(20, length);
+}
+
+// Buffers are read by core's reader, which knows folders and limits.
+bool read_buffer(std::vector<unsigned char>* out, std::string* problem, const std::string& path,
+                 void*) {
+    try {
+        const std::string bytes = read_file(path, std::uint64_t{1} << 32);
+        out->assign(bytes.begin(), bytes.end());
+        return true;
+    } catch (const Error& error) {
+        *problem = error.what();
+        return false;
+    }
+}
+
+bool is_regular_file(const std::string& path, void*) {
+    std::error_code code;
+    return std::filesystem::is_regular_file(path, code); // no pipes and devices
+}
+
+template <class Callbacks>
+Callbacks file_access() {
+    Callbacks callbacks{};
+    callbacks.FileExists = is_regular_file;
+    callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
+    callbacks.ReadWholeFile = read_buffer;
+    callbacks.WriteWholeFile = [](std::string*, const std::string&,
+                                  const std::vector<unsigned char>&, void*) { return false; };
+    if constexpr (requires { callbacks.GetFileSizeInBytes; }) // since 2.9
+        callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string*, const std::string& path,
+                                          void*) {
+            std::error_code code;
+            *size = std::filesystem::file_size(path, code);
+            return !code;
+        };
+    return callbacks;
+}
+
 } // namespace
 
 Mesh read_gltf(std::string_view bytes, const std::string& folder) {
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(ignore_image, nullptr);
+    loader.SetFsCallbacks(file_access<tinygltf::FsCallbacks>());
+    check_nesting(json_part(bytes));
     tinygltf::Model model;
     std::string errors;
     std::string warnings;

@@ -11,7 +11,7 @@ namespace scree {
 
 namespace {
 
-Mesh read_by_ending(const std::string& path, const std::string& bytes) {
+Mesh read_by_ending(const std::string& path, std::string_view bytes) {
     const std::string ending = extension(path);
     if (ending == "obj")
         return read_obj(bytes);
@@ -19,16 +19,25 @@ Mesh read_by_ending(const std::string& path, const std::string& bytes) {
         return read_ply(bytes);
     if (ending == "stl")
         return read_stl(bytes);
+    if (ending == "3ds")
+        return read_3ds(bytes);
     if (ending == "gltf" || ending == "glb")
         return read_gltf(bytes, std::filesystem::path(path).parent_path().string());
-    throw Error("is not a mesh that can be read; expected .obj, .ply, .stl, .gltf or .glb");
+    throw Error("is not a mesh that can be read; expected .obj, .ply, .stl, .gltf, .glb or .3ds");
 }
+
+// Products of three lengths must stay finite in single precision.
+constexpr float largest_position = 1e12F;
 
 // What every reader's mesh must be before anyone may index into it.
 void check(Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         if (!is_finite(mesh.positions[i]))
             throw Error("vertex " + std::to_string(i) + " has a position that is not a number");
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::abs(mesh.positions[i][axis]) > largest_position)
+                throw Error("vertex " + std::to_string(i) + " lies more than 1e12 away");
     for (const Mesh::Triangle& t : mesh.triangles)
         for (const std::uint32_t index : t)
             if (index >= mesh.positions.size())
@@ -51,7 +60,10 @@ void check(Mesh& mesh) {
 } // namespace
 
 Mesh read_mesh(const std::string& path) {
-    const std::string bytes = read_file(path); // its errors name the file already
+    return read_mesh_bytes(path, read_file(path)); // whose errors name the file already
+}
+
+Mesh read_mesh_bytes(const std::string& path, std::string_view bytes) {
     try {
         Mesh mesh = read_by_ending(path, bytes);
         check(mesh);

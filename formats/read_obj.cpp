@@ -5,6 +5,7 @@
 
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 #include <tuple>
@@ -56,9 +57,28 @@ class Vertices {
     std::map<std::tuple<int, int, int>, std::uint32_t> known_;
 };
 
+// The library reads a position that is not a number as 0.
+void check_numbers(std::string_view bytes) {
+    int line = 0;
+    while (!bytes.empty()) {
+        ++line;
+        const std::size_t end = std::min(bytes.find('\n'), bytes.size());
+        std::istringstream words;
+        if (bytes.starts_with("v "))
+            words.str(std::string(bytes.substr(2, std::min<std::size_t>(end, 400) - 2)));
+        bytes.remove_prefix(std::min(end + 1, bytes.size()));
+        std::string word;
+        for (int k = 0; k < 3 && words >> word; ++k)
+            if (word.find_first_not_of("0123456789+-.eE") != std::string::npos)
+                throw Error("line " + std::to_string(line) + ": \"" + word.substr(0, 20) +
+                            "\" is not a number");
+    }
+}
+
 } // namespace
 
 Mesh read_obj(std::string_view bytes) {
+    check_numbers(bytes);
     std::istringstream in{std::string(bytes)};
     tinyobj::attrib_t attributes;
     std::vector<tinyobj::shape_t> shapes;
@@ -71,6 +91,11 @@ Mesh read_obj(std::string_view bytes) {
         throw Error(errors.empty() ? "it is damaged" : errors.substr(0, errors.find('\n')));
     Vertices vertices(attributes);
     for (const tinyobj::shape_t& shape : shapes) {
+        std::size_t corners_in_all = 0;
+        for (const auto corners : shape.mesh.num_face_vertices)
+            corners_in_all += corners;
+        if (corners_in_all != shape.mesh.indices.size()) // older versions count in one byte
+            throw Error("it has a face of more than 255 corners");
         std::size_t first = 0;
         for (const auto corners : shape.mesh.num_face_vertices) {
             for (std::size_t k = 2; k < corners; ++k)

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/mesh_seeds.h"
+
+#include "formats/read_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace scree {
+
+namespace {
+
+constexpr float points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+constexpr int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+
+template <class T>
+void put(std::string& out, T value, bool big = false) {
+    std::array<char, sizeof(T)> raw{};
+    std::memcpy(raw.data(), &value, sizeof(T));
+    if (big)
+        std::reverse(raw.begin(), raw.end());
+    out.append(raw.data(), raw.size());
+}
+
+std::string obj() {
+    return "mtllib a.mtl\no corner\nv 0 0 0\nv 1 0 0 1\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nvt 0.5 1\n"
+           "usemtl red\ns 1\nf 1/1/1 3/1/1 2/1/1\nf 1//1 2//1 4//1\ng b\nf -4 -1 -2\nf 2 3 4 1\n";
+}
+
+std::string ply_ascii() {
+    return "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty float x\n"
+           "property float y\nproperty double z\nproperty uchar red\nelement face 4\n"
+           "property list uchar int vertex_indices\nelement edge 1\nproperty int a\nend_header\n"
+           "0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n7\n";
+}
+
+std::string ply_binary(bool big) {
+    std::string out = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                      "_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                      "property double z\nproperty list ushort short tags\nelement face 4\n"
+                      "property list uint8 int32 vertex_index\nend_header\n";
+    for (const auto& p : points) {
+        put(out, p[0], big);
+        put(out, p[1], big);
+        put(out, double(p[2]), big);
+        put(out, std::uint16_t{1}, big);
+        put(out, std::int16_t{-5}, big);
+    }
+    for (const auto& f : faces) {
+        put(out, std::uint8_t{3});
+        for (const int i : f)
+            put(out, std::int32_t{i}, big);
+    }
+    return out;
+}
+
+std::string stl_ascii() {
+    std::string out = "solid corner\n";
+    for (const auto& f : faces) {
+        out += " facet normal 0 0 0\n  outer loop\n";
+        for (const int i : f)
+            out += "   vertex " + std::to_string(points[i][0]) + " " +
+                   std::to_string(points[i][1]) + " " + std::to_string(points[i][2]) + "\n";
+        out += "  endloop\n endfacet\n";
+    }
+    return out + "endsolid corner\n";
+}
+
+std::string stl_binary() {
+    std::string out(80, ' ');
+    put(out, std::uint32_t{4});
+    for (const auto& f : faces) {
+        out.append(12, '\0');
+        for (const int i : f)
+            for (const float x : points[i])
+                put(out, x);
+        put(out, std::uint16_t{0});
+    }
+    return out;
+}
+
+std::string gltf_buffer() {
+    std::string out;
+    for (const auto& p : points)
+        for (const float x : p)
+            put(out, x);
+    for (const auto& f : faces)
+        for (const int i : f)
+            put(out, static_cast<std::uint16_t>(i));
+    return out;
+}
+
+std::string gltf_json(const std::string& buffer) {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"children":[1],"scale":[1,2,1]},{"mesh":0,"rotation":[0,0,0,1],"translation":[1,0,0]}],
+"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],
+"buffers":[{)" +
+           buffer + R"("byteLength":72}],"bufferViews":[{"buffer":0,"byteLength":48},
+{"buffer":0,"byteOffset":48,"byteLength":24}],"accessors":[
+{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,1]},
+{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
+}
+
+std::string base64(const std::string& bytes) {
+    constexpr const char* digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) { // whole triples only
+        std::uint32_t triple = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            triple = triple << 8 | static_cast<unsigned char>(bytes[i + k]);
+        for (int shift = 18; shift >= 0; shift -= 6)
+            out += digits[triple >> shift & 63];
+    }
+    return out;
+}
+
+std::string gltf() {
+    return gltf_json(R"("uri":"data:application/octet-stream;base64,)" + base64(gltf_buffer()) +
+                     R"(",)");
+}
+
+std::string glb() {
+    std::string json = gltf_json("");
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const std::string buffer = gltf_buffer();
+    std::string out = "glTF";
+    put(out, std::uint32_t{2});
+    put(out, static_cast<std::uint32_t>(28 + json.size() + buffer.size()));
+    put(out, static_cast<std::uint32_t>(json.size()));
+    out += "JSON" + json;
+    put(out, static_cast<std::uint32_t>(buffer.size()));
+    return out + std::string("BIN\0", 4) + buffer;
+}
+
+std::string chunk(std::uint16_t kind, const std::string& body) {
+    std::string out;
+    put(out, kind);
+    put(out, static_cast<std::uint32_t>(body.size() + 6));
+    return out + body;
+}
+
+std::string three_ds() {
+    std::string vertices;
+    put(vertices, std::uint16_t{4});
+    for (const auto& p : points)
+        for (const float x : p)
+            put(vertices, x);
+    std::string triangles;
+    put(triangles, std::uint16_t{4});
+    for (const auto& f : faces) {
+        for (const int i : f)
+            put(triangles, static_cast<std::uint16_t>(i));
+        put(triangles, std::uint16_t{0});
+    }
+    const std::string mesh = chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, triangles));
+    return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("corner\0", 7) + mesh)));
+}
+
+MeshSeed seed(const std::string& name, const std::string& ending, std::string bytes) {
+    return {name, std::move(bytes),
+            [ending](std::string_view given) { return read_mesh_bytes("x." + ending, given); }};
+}
+
+} // namespace
+
+std::vector<MeshSeed> mesh_seeds() {
+    return {seed("obj", "obj", obj()),
+            seed("ply_ascii", "ply", ply_ascii()),
+            seed("ply_little", "ply", ply_binary(false)),
+            seed("ply_big", "ply", ply_binary(true)),
+            seed("stl_ascii", "stl", stl_ascii()),
+            seed("stl_binary", "stl", stl_binary()),
+            seed("gltf", "gltf", gltf()),
+            seed("glb", "glb", glb()),
+            seed("3ds", "3ds", three_ds())};
+}
+
+} // namespace scree

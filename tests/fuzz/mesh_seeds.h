@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A small valid file of every kind that mesh.file reads, and its reader.
+#pragma once
+
+#include "core/mesh.h"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scree {
+
+struct MeshSeed {
+    std::string name; // "ply_big"
+    std::string bytes;
+    std::function<Mesh(std::string_view)> read;
+};
+
+std::vector<MeshSeed> mesh_seeds();
+
+} // namespace scree

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/read_mesh.h"
+#include "formats/table.h"
+
+#include "core/error.h"
+#include "core/file.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <unistd.h>
+
+namespace scree {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MeshFile : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::temp_directory_path() /
+                  ("scree_mesh_file_" + std::string(info->name()) + std::to_string(getpid()));
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string write(const std::string& name, std::string_view bytes) {
+        const std::string path = (folder_ / name).string();
+        write_file(path, bytes);
+        return path;
+    }
+
+    // What is said of the file, without the folder's name.
+    std::string problem(const std::string& name, std::string_view bytes) {
+        return without_folder([&] { read_mesh(write(name, bytes)); });
+    }
+
+    std::string without_folder(const std::function<void()>& run) {
+        try {
+            run();
+        } catch (const Error& error) {
+            std::string text = error.what();
+            const std::string prefix = folder_.string() + "/";
+            for (std::size_t at = 0; (at = text.find(prefix, at)) != std::string::npos;)
+                text.erase(at, prefix.size());
+            return text;
+        }
+        return "no error";
+    }
+
+    fs::path folder_;
+};
+
+template <class T>
+void put(std::string& out, T value, bool big = false) {
+    std::array<char, sizeof(T)> raw{};
+    std::memcpy(raw.data(), &value, sizeof(T));
+    if (big)
+        std::reverse(raw.begin(), raw.end());
+    out.append(raw.data(), raw.size());
+}
+
+// The corner of a unit cube: the origin and the three axes' ends.
+constexpr float points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+constexpr int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+
+void expect_tetrahedron(const Mesh& mesh) {
+    EXPECT_EQ(mesh.triangles.size(), 4U);
+    EXPECT_NEAR(volume(mesh), 1.0 / 6, 1e-7);
+    EXPECT_TRUE(inspect(mesh).closed());
+    EXPECT_EQ(bounds(mesh).min, Vec3(0.0F));
+    EXPECT_EQ(bounds(mesh).max, Vec3(1.0F));
+}
+
+std::string obj() {
+    return "# a comment\no corner\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+           "f 1 3 2\nf 1 2 4\nf -4 -1 -2\nf 2 3 4\n";
+}
+
+std::string ply_ascii() {
+    return "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 4\nproperty float x\n"
+           "property float y\nproperty double z\nproperty uchar red\nelement face 4\n"
+           "property list uchar int vertex_indices\nend_header\n"
+           "0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+}
+
+std::string ply_binary(bool big) {
+    std::string out = std::string("ply\r\nformat binary_") + (big ? "big" : "little") +
+                      "_endian 1.0\r\nelement vertex 4\r\nproperty float x\r\n"
+                      "property float y\r\nproperty double z\r\nelement face 4\r\n"
+                      "property list uint8 int32 vertex_index\r\nend_header\r\n";
+    for (const auto& p : points) {
+        put(out, p[0], big);
+        put(out, p[1], big);
+        put(out, double(p[2]), big);
+    }
+    for (const auto& f : faces) {
+        put(out, std::uint8_t{3});
+        for (const int i : f)
+            put(out, std::int32_t{i}, big);
+    }
+    return out;
+}
+
+std::string stl_ascii() {
+    std::string out = "solid corner\n";
+    for (const auto& f : faces) {
+        out += " facet normal 0 0 0\n  outer loop\n";
+        for (const int i : f) {
+            out += "   vertex";
+            for (const float x : points[i])
+                out += " " + std::to_string(x);
+            out += "\n";
+        }
+        out += "  endloop\n endfacet\n";
+    }
+    return out + "endsolid corner\n";
+}
+
+std::string stl_binary() {
+    std::string out("solid but binary");
+    out.resize(80, ' ');
+    put(out, std::uint32_t{4});
+    for (const auto& f : faces) {
+        for (int k = 0; k < 3; ++k)
+            put(out, 0.0F);
+        for (const int i : f)
+            for (const float x : points[i])
+                put(out, x);
+        put(out, std::uint16_t{0});
+    }
+    return out;
+}
+
+std::string gltf_buffer() {
+    std::string out;
+    for (const auto& p : points)
+        for (const float x : p)
+            put(out, x);
+    for (const auto& f : faces)
+        for (const int i : f)
+            put(out, static_cast<std::uint16_t>(i));
+    return out;
+}
+
+std::string gltf_json(const std::string& uri, const std::string& node) {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[)" +
+           node + R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+"buffers":[{)" +
+           uri + R"("byteLength":72}],
+"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,1]},
+{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
+}
+
+std::string glb(const std::string& node) {
+    std::string json = gltf_json("", node);
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const std::string buffer = gltf_buffer();
+    std::string out = "glTF";
+    put(out, std::uint32_t{2});
+    put(out, static_cast<std::uint32_t>(28 + json.size() + buffer.size()));
+    put(out, static_cast<std::uint32_t>(json.size()));
+    out += "JSON" + json;
+    put(out, static_cast<std::uint32_t>(buffer.size()));
+    out += std::string("BIN\0", 4) + buffer;
+    return out;
+}
+
+std::string chunk(std::uint16_t kind, const std::string& body) {
+    std::string out;
+    put(out, kind);
+    put(out, static_cast<std::uint32_t>(body.size() + 6));
+    return out + body;
+}
+
+std::string three_ds() {
+    std::string vertices;
+    put(vertices, std::uint16_t{4});
+    for (const auto& p : points)
+        for (const float x : p)
+            put(vertices, x);
+    std::string triangles;
+    put(triangles, std::uint16_t{4});
+    for (const auto& f : faces) {
+        for (const int i : f)
+            put(triangles, static_cast<std::uint16_t>(i));
+        put(triangles, std::uint16_t{0});
+    }
+    const std::string mesh = chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, triangles));
+    return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("corner\0", 7) + mesh)));
+}
+
+TEST_F(MeshFile, ReadsEveryKind) {
+    expect_tetrahedron(read_mesh(write("a.obj", obj())));
+    expect_tetrahedron(read_mesh(write("a.ply", ply_ascii())));
+    expect_tetrahedron(read_mesh(write("little.ply", ply_binary(false))));
+    expect_tetrahedron(read_mesh(write("big.PLY", ply_binary(true))));
+    expect_tetrahedron(read_mesh(write("a.stl", stl_ascii())));
+    expect_tetrahedron(read_mesh(write("b.stl", stl_binary())));
+    expect_tetrahedron(read_mesh(write("a.glb", glb(R"({"mesh":0})"))));
+    expect_tetrahedron(read_mesh(write("a.3ds", three_ds())));
+    write("a.bin", gltf_buffer());
+    expect_tetrahedron(read_mesh(write("a.gltf", gltf_json(R"("uri":"a.bin",)", R"({"mesh":0})"))));
+    EXPECT_EQ(read_mesh((folder_ / "a.obj").string()).name, "a.obj");
+}
+
+TEST_F(MeshFile, GltfNodesTransform) {
+    const Mesh moved = read_mesh(write(
+        "a.glb",
+        glb(R"({"mesh":0,"translation":[5,0,0],"rotation":[0,0,0.70710678,0.70710678],"scale":[2,2,2]})")));
+    // Scaled, then turned by 90 degrees about z (x to y), then moved.
+    EXPECT_TRUE(bounds(moved).min.equalWithAbsError(Vec3(3, 0, 0), 1e-5F)) << bounds(moved).min;
+    EXPECT_TRUE(bounds(moved).max.equalWithAbsError(Vec3(5, 2, 2), 1e-5F)) << bounds(moved).max;
+    EXPECT_NEAR(volume(moved), 8.0 / 6, 1e-5);
+}
+
+TEST_F(MeshFile, KeepsNormalsAndUvs) {
+    const Mesh mesh = read_mesh(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\n"
+                                               "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1/1 2/2/1 3/3/1\n"));
+    ASSERT_EQ(mesh.normals.size(), 3U);
+    EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1)); // made unit
+    ASSERT_EQ(mesh.uvs.size(), 3U);
+    EXPECT_EQ(mesh.uvs[1], Vec2f(1, 0));
+}
+
+TEST_F(MeshFile, DropsNormalsThatAreNoNumbers) {
+    const Mesh mesh = read_mesh(write(
+        "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                 "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+                 "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                 "0 0 0 nan 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n"));
+    EXPECT_TRUE(mesh.normals.empty());
+}
+
+TEST_F(MeshFile, Errors) {
+    const std::string head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                             "property float y\nproperty float z\nelement face 1\n"
+                             "property list uchar int vertex_indices\nend_header\n";
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 nan 0\n3 0 1 2\n"),
+              "a.ply: vertex 2 has a position that is not a number");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 inf 0\n3 0 1 2\n"),
+              "a.ply: vertex 2 has a position that is not a number");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1e30 0\n3 0 1 2\n"),
+              "a.ply: vertex 2 lies more than 1e12 away");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
+              "a.ply: a face names vertex 3 of 3");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
+              "a.ply: face 0 has an index out of range");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1 0\n200 0 1 2\n"),
+              "a.ply: it has a list of an impossible length");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 zero\n"), "a.ply: \"zero\" is not a number");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n"), "a.ply: it ends too early");
+    EXPECT_EQ(problem("a.ply", "ply\nformat ascii 1.0\n"), "a.ply: its header has no end");
+    EXPECT_EQ(problem("a.ply", ""), "a.ply: it is not a PLY file");
+    EXPECT_EQ(problem("a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+              "a.obj: line 1: \"nan\" is not a number");
+    EXPECT_EQ(problem("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"),
+              "a.obj: a face names vertex 9 of 3");
+    EXPECT_EQ(problem("a.obj", "v 0 0 0\n"), "a.obj: it has no triangles");
+    EXPECT_EQ(problem("a.obj", ""), "a.obj: it has no triangles");
+    EXPECT_EQ(problem("a.stl", "cut" + stl_binary().substr(3, 197)),
+              "a.stl: it ends too early: its header promises 4 triangles, there is room for 2");
+    EXPECT_EQ(problem("a.3ds", three_ds().substr(0, 60)), "a.3ds: it ends too early");
+    EXPECT_EQ(problem("a.3ds", "no"), "a.3ds: it is not a 3DS file");
+    EXPECT_EQ(problem("a.fbx", "x"), "a.fbx: is not a mesh that can be read; expected .obj, .ply, "
+                                     ".stl, .gltf, .glb or .3ds");
+    EXPECT_EQ(without_folder([&] { read_mesh((folder_ / "none.obj").string()); }),
+              "none.obj: no such file");
+}
+
+TEST_F(MeshFile, HugeCountsAreRefusedAtOnce) {
+    const std::string vertices = "property float x\nproperty float y\nproperty float z\n";
+    EXPECT_EQ(problem("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex "
+                               "18446744073709551615\n" +
+                                   vertices + "end_header\n1234"),
+              "a.ply: it ends too early");
+    EXPECT_EQ(problem("a.ply", "ply\nformat ascii 1.0\nelement nothing 18446744073709551615\n"
+                               "element vertex 1\n" +
+                                   vertices + "end_header\n0 0 0\n"),
+              "a.ply: it has no triangles");
+    std::string list = "ply\nformat binary_little_endian 1.0\nelement vertex 1\n" + vertices +
+                       "element face 1\nproperty list double int vertex_indices\nend_header\n" +
+                       std::string(12, '\0');
+    put(list, 1e18);
+    EXPECT_EQ(problem("a.ply", list), "a.ply: it has a list of an impossible length");
+    std::string stl(80, ' ');
+    put(stl, std::numeric_limits<std::uint32_t>::max());
+    EXPECT_EQ(problem("a.stl", stl), "a.stl: it ends too early: its header promises 4294967295 "
+                                     "triangles, there is room for 0");
+}
+
+TEST_F(MeshFile, GltfDamage) {
+    EXPECT_EQ(problem("a.glb", "glTF"), "a.glb: it ends too early");
+    EXPECT_NE(problem("a.gltf", "{}"), "no error");
+    EXPECT_NE(problem("a.gltf", "not json"), "no error");
+    EXPECT_EQ(problem("a.gltf", std::string(100000, '[')), "a.gltf: its JSON is nested too deeply");
+    EXPECT_EQ(problem("a.glb", glb(R"({"children":[0]})")),
+              "a.glb: its nodes are nested too deeply, or in a ring");
+    EXPECT_EQ(problem("a.glb", glb(R"({"mesh":7})")), "a.glb: a mesh is missing");
+    EXPECT_NE(problem("a.gltf", gltf_json(R"("uri":"none.bin",)", R"({"mesh":0})")), "no error");
+    EXPECT_NE(problem("a.gltf", gltf_json(R"("uri":"/dev/zero",)", R"({"mesh":0})")), "no error");
+    std::string broken = glb(R"({"mesh":0})");
+    broken[broken.size() - 1] = '\x40';
+    EXPECT_EQ(problem("a.glb", broken), "a.glb: a face names vertex 16387 of 4");
+    std::string far = glb(R"({"mesh":0})");
+    far.replace(far.find("\"count\":12"), 10, "\"count\":99");
+    EXPECT_EQ(problem("a.glb", far), "a.glb: an accessor reaches beyond its buffer");
+}
+
+TEST_F(MeshFile, ManyCornersAreOneFaceAndNoHang) {
+    std::string polygon;
+    std::string face = "f";
+    for (int i = 0; i < 300; ++i) {
+        const double angle = 2 * pi * i / 300;
+        polygon +=
+            "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+        face += " " + std::to_string(i + 1);
+    }
+    const std::string said = problem("a.obj", polygon + face + "\n");
+    EXPECT_TRUE(said == "no error" || said == "a.obj: it has a face of more than 255 corners")
+        << said;
+
+    std::string fan = "ply\nformat ascii 1.0\nelement vertex 200000\nproperty float x\n"
+                      "property float y\nproperty float z\nelement face 1\n"
+                      "property list int int vertex_indices\nend_header\n";
+    std::string corners = "200000";
+    for (int i = 0; i < 200000; ++i) {
+        fan += std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
+        corners += " " + std::to_string(i);
+    }
+    Mesh mesh = read_mesh(write("fan.ply", fan + corners + "\n"));
+    compute_normals(mesh, 1);
+    for (const Vec3& n : mesh.normals)
+        ASSERT_NEAR(n.length(), 1.0F, 1e-4F);
+}
+
+// The parameters of mesh.file as the reader hands them over.
+Mesh make(const std::string& path, const std::vector<std::pair<std::string, Value>>& values = {}) {
+    const auto table = mesh_file_table();
+    Params params("mesh.file", {"toys.lua", 3});
+    for (const ParamSpec& spec : table.plugins().front().params)
+        if (!std::holds_alternative<std::monostate>(spec.fallback))
+            params.set(spec.name, spec.fallback);
+    params.set("path", path, {"toys.lua", 4});
+    for (const auto& [key, value] : values)
+        params.set(key, value);
+    return table.plugins().front().make(params);
+}
+
+TEST_F(MeshFile, Plugin) {
+    const std::string path = write("corner.obj", obj());
+    const Mesh plain = make(path, {{"closed", true}});
+    EXPECT_EQ(plain.name, "corner.obj");
+    EXPECT_EQ(plain.normals.size(), plain.positions.size());
+    const Mesh sized = make(path, {{"size", 0.5}});
+    EXPECT_NEAR(bounds(sized).size().x, 0.5F, 1e-6F);
+    EXPECT_EQ(bounds(sized).min.y, 0);
+    // z up: the file's z becomes y, and its y goes away from the viewer.
+    const Mesh turned = make(path, {{"up", std::string("z")}});
+    EXPECT_EQ(bounds(turned).min, Vec3(0, 0, -1));
+    EXPECT_NEAR(volume(turned), 1.0 / 6, 1e-7);
+}
+
+TEST_F(MeshFile, PluginErrorsAreLocated) {
+    const std::string open = write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_EQ(without_folder([&] {
+                  make(open, {{"closed", true}});
+              }),
+              "toys.lua:4: mesh.file.path: open.obj: the mesh is open: 3 boundary edges, 0 "
+              "non-manifold edges; expected a closed mesh");
+    EXPECT_EQ(without_folder([&] { make((folder_ / "opne.obj").string()); }),
+              "toys.lua:4: mesh.file.path: opne.obj: no such file\n  did you mean open.obj?");
+    EXPECT_EQ(without_folder([&] { make(write("cut.stl", "solid")); }).find("toys.lua:4: "), 0U);
+}
+
+TEST_F(MeshFile, ReadsTheModelsOfGlmark2) {
+    const std::string models = "/usr/share/glmark2/models/";
+    if (!fs::exists(models))
+        GTEST_SKIP() << "glmark2-data is not installed";
+    for (const std::string name : {"bunny.obj", "horse.3ds", "cat.3ds"}) {
+        const Mesh mesh = make(models + name, {{"size", 0.1}});
+        EXPECT_GT(mesh.triangles.size(), 7000U) << name;
+        EXPECT_GT(volume(mesh), 0) << name;
+        const Vec3 size = bounds(mesh).size();
+        EXPECT_NEAR(std::max({size.x, size.y, size.z}), 0.1F, 1e-6F) << name;
+    }
+}
+
+} // namespace
+} // namespace scree
