@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace scree {
 
@@ -57,8 +58,12 @@ float Distribution1D::sample(float u, float& pdf) const {
     const float width = cumulative_[cell + 1] - low;
     const float part = width > 0 ? std::min((u - low) / width, below_one) : 0;
     pdf = density_[cell];
-    return std::min((static_cast<float>(cell) + part) / static_cast<float>(density_.size()),
-                    below_one);
+    // Rounding must not carry the answer into the next cell, where the density may be 0.
+    float x = std::min((static_cast<float>(cell) + part) / static_cast<float>(density_.size()),
+                       below_one);
+    while (cell_of(x, density_.size()) > cell)
+        x = std::nextafter(x, 0.0F);
+    return x;
 }
 
 Distribution2D::Distribution2D(std::span<const float> weights, int width, int height) {

@@ -6,6 +6,8 @@
 #include "render/filter.h"
 #include "render/ticks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -210,10 +212,14 @@ void Job::render_tile(Tile& tile, int samples) {
 void Job::report() {
     if (!context_.progress)
         return;
-    const double total = double(crop_.width) * double(crop_.height) * double(samples_);
     const std::unique_lock lock(progress_mutex_, std::try_to_lock);
-    if (lock.owns_lock())
-        context_.report("render", std::min(1.0, double(pixel_samples_.load()) / total));
+    if (!lock.owns_lock())
+        return;
+    const double done =
+        double(pixel_samples_.load()) / (double(crop_.width) * double(crop_.height));
+    context_.report(fmt::format("{:.1f} of {} samples, {:.2f} Mray/s", done, samples_,
+                                double(ray_count_.load()) / seconds_since(start_) * 1e-6),
+                    std::min(1.0, done / samples_));
 }
 
 void Job::pass(int samples) {

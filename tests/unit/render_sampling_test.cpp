@@ -6,7 +6,9 @@
 #include "render/sampler.h"
 #include "tests/unit/render_test_tools.h"
 
+#include "render/distribution.h"
 #include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace scree {
@@ -355,6 +357,27 @@ TEST(Sampler, PixelsAndDimensionsAreIndependent) {
              [&](int i) { return at(i + 1, 0, 0).x; }, [&](int i) { return at(i, 1, 0).x; },
              [&](int i) { return at(i, 0, 1).x; }, [&](int i) { return at(i, 0, 0).y; }})
         EXPECT_LT(std::abs(correlation([&](int i) { return at(i, 0, 0).x; }, b)), 5);
+}
+
+// A sample at the very end of a cell must not land in an empty neighbour by rounding.
+TEST(Sampling, DistributionStaysOutOfEmptyCells) {
+    for (const int height : {3, 7, 64, 100, 1000}) {
+        std::vector<float> weights(std::size_t(height) * 2, 0.0F);
+        for (int y = 0; y + 1 < height; y += 2)
+            weights[2 * std::size_t(y)] = 1;
+        const Distribution2D distribution(weights, 2, height);
+        const int full = height / 2;
+        for (int edge = 1; edge <= full; ++edge) {
+            float u = static_cast<float>(edge) / static_cast<float>(full);
+            for (int step = 0; step < 50; ++step) {
+                u = std::nextafter(u, 0.0F);
+                float pdf = 0;
+                const Vec2f p = distribution.sample({u, u}, pdf);
+                ASSERT_GT(pdf, 0) << height << " " << u;
+                ASSERT_EQ(distribution.pdf(p), pdf) << height << " " << u;
+            }
+        }
+    }
 }
 
 } // namespace
