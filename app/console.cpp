@@ -16,7 +16,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double bar_interval_s = 0.1;
-constexpr double line_interval_s = 5; // where no bar can be drawn, a line now and then
+constexpr double line_interval_s = 5;        // where no bar can be drawn, a line now and then,
+constexpr double line_interval_growth = 0.2; // and less often in long work
 constexpr int bar_width = 24;
 
 std::atomic<Cancel*> interrupted = nullptr;
@@ -56,8 +57,12 @@ void Console::progress(const std::string& what, double fraction, const std::stri
         last_shown_ = Clock::now();
         if (!terminal_)
             return; // short work needs no line
-    } else if (seconds_since(last_shown_) < (terminal_ ? bar_interval_s : line_interval_s)) {
-        return;
+    } else {
+        const double interval =
+            terminal_ ? bar_interval_s
+                      : std::max(line_interval_s, line_interval_growth * seconds_since(started_));
+        if (seconds_since(last_shown_) < interval)
+            return;
     }
     last_shown_ = Clock::now();
     fraction = std::clamp(fraction, 0.0, 1.0);

@@ -230,6 +230,12 @@ TEST_F(Cli, ListShowsEveryParameterFromItsDeclaration) {
                                           "  did you mean mesh.banana?\n");
 }
 
+// When this fails: ./scree list --markdown > docs/reference.md
+TEST_F(Cli, ReferencePageIsThatOfTheDeclarations) {
+    EXPECT_EQ(run("list --markdown").out,
+              read_file(std::string(SCREE_SOURCE_DIR) + "/docs/reference.md"));
+}
+
 TEST_F(Cli, CtrlCKeepsWhatIsDone) {
     const Outcome outcome = run("render small.lua -o a.exr --spp 100000 & pid=$!; sleep 3; "
                                 "kill -INT $pid; wait $pid");
