@@ -3,9 +3,11 @@
 
 #include "generators/components/loft.h"
 #include "generators/components/outline.h"
+#include "generators/sampling/region_tools.h"
+
+#include "core/error.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace scree {
 
@@ -44,7 +46,7 @@ Mesh wall(const Ring& ring, double height, double bevel, int bevel_segments) {
     return loft(levels);
 }
 
-void add_cap(Mesh& mesh, const Triangulation& plan, const Box2& frame, double y, bool upwards) {
+void add_cap(Mesh& mesh, const Region& plan, const Box2& frame, double y, bool upwards) {
     Mesh cap;
     const Vec2 size = frame.size();
     for (const Vec2& p : plan.vertices) {
@@ -70,6 +72,22 @@ void flatten_cap_normals(Mesh& mesh, float top) {
     }
 }
 
+// Where the body is narrower than two bevels its cap would cross itself: the bevel yields.
+Region cap_plan(const std::vector<Ring>& rings, double height, double& bevel) {
+    while (true) {
+        std::vector<Ring> caps;
+        for (const Ring& ring : rings)
+            caps.push_back(inset(ring, bevel));
+        try {
+            return triangulate(std::move(caps));
+        } catch (const Error&) {
+            if (bevel == 0)
+                throw;
+            bevel = bevel > 0.01 * height ? bevel / 2 : 0;
+        }
+    }
+}
+
 } // namespace
 
 Mesh extrude(const std::vector<Ring>& rings, double height, double bevel, int bevel_segments) {
@@ -77,21 +95,7 @@ Mesh extrude(const std::vector<Ring>& rings, double height, double bevel, int be
     for (const Ring& ring : rings)
         bevel = std::min(bevel, 0.8 * largest_inset(ring));
 
-    const auto cap_plan = [&] {
-        std::vector<Ring> caps;
-        for (const Ring& ring : rings)
-            caps.push_back(inset(ring, bevel));
-        return triangulate_rings(caps);
-    };
-    Triangulation plan = cap_plan();
-    // Where the body is narrower than two bevels its cap would cross itself.
-    while (plan.triangles.empty() && bevel > 0) {
-        bevel = bevel > 0.01 * height ? bevel / 2 : 0;
-        plan = cap_plan();
-    }
-    if (plan.triangles.empty())
-        throw std::logic_error("extrude: the outline crosses itself");
-
+    const Region plan = cap_plan(rings, height, bevel);
     Mesh mesh;
     Box2 frame;
     for (const Ring& ring : rings) {

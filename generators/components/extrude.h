@@ -6,16 +6,6 @@
 
 namespace scree {
 
-/// The triangles of a polygon with holes; vertices are the points of `rings` in order.
-struct Triangulation {
-    std::vector<Vec2> vertices;
-    std::vector<Mesh::Triangle> triangles; // counter-clockwise
-};
-
-/// Constrained Delaunay triangulation (CGAL) of the inside of `rings`: outer ones
-/// counter-clockwise, holes clockwise; empty when two edges cross.
-Triangulation triangulate_rings(const std::vector<Ring>& rings);
-
 /// A flat body: the outline `rings` as seen from above (x to the right, the outline's second
 /// coordinate away from the viewer: -z), from y = 0 to `height` [m], its edges rounded by a
 /// quarter circle of radius `bevel` [m] in `bevel_segments` steps, cut down to what the outline and
