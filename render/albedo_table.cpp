@@ -4,6 +4,8 @@
 #include "render/fresnel.h"
 #include "render/ggx.h"
 
+#include <algorithm>
+
 namespace scree {
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include "render/render.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
