@@ -9,9 +9,9 @@
 
 namespace scree {
 
-/// Reads an OBJ, PLY, STL, glTF (.gltf, .glb) or 3DS file by its ending. Positions are finite, indices
-/// in range and there is at least one triangle; normals and UVs are kept where the file has them
-/// for every vertex. Throws Error (input) that begins with the path.
+/// Reads an OBJ, PLY, STL, glTF (.gltf, .glb) or 3DS file by its ending. Positions are finite,
+/// indices in range and there is at least one triangle; normals and UVs are kept where the file has
+/// them for every vertex. Throws Error (input) that begins with the path.
 Mesh read_mesh(const std::string& path);
 
 /// The same for bytes at hand, as if `path` held them.
