@@ -3,9 +3,9 @@
 //   render_bench [mesh.obj] [runs] [samples]
 #include "render/render.h"
 
-#include "core/file.h"
 #include "core/parallel.h"
 #include "core/random.h"
+#include "formats/read_mesh.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
-#include <sstream>
 
 using namespace scree;
 
@@ -21,30 +20,11 @@ namespace {
 
 constexpr int instance_count = 5000;
 
-// Triangles only: all this bench needs of OBJ.
-Mesh read_triangles(const std::string& path) {
-    Mesh mesh;
-    std::istringstream in(read_file(path));
-    for (std::string line; std::getline(in, line);) {
-        std::istringstream words(line);
-        std::string kind;
-        words >> kind;
-        if (kind == "v") {
-            Vec3 p;
-            words >> p.x >> p.y >> p.z;
-            mesh.positions.push_back(p);
-        } else if (kind == "f") {
-            Mesh::Triangle triangle{};
-            for (std::uint32_t& corner : triangle) {
-                std::string word;
-                words >> word;
-                corner = static_cast<std::uint32_t>(std::strtoul(word.c_str(), nullptr, 10)) - 1;
-            }
-            mesh.triangles.push_back(triangle);
-        }
-    }
+Mesh read_component(const std::string& path) {
+    Mesh mesh = read_mesh(path);
     normalise_size(mesh, 0.1);
-    compute_normals(mesh, radians(180));
+    if (mesh.normals.empty())
+        compute_normals(mesh, radians(180));
     return mesh;
 }
 
@@ -110,7 +90,7 @@ double bare_rays_per_second(const World& world, const RenderScene& scene) {
 int main(int count, char** arguments) {
     const std::string path = count > 1 ? arguments[1] : "/usr/share/glmark2/models/bunny.obj";
     const int runs = count > 2 ? std::atoi(arguments[2]) : 3;
-    const auto mesh = std::make_shared<Mesh>(read_triangles(path));
+    const auto mesh = std::make_shared<Mesh>(read_component(path));
     const std::vector<Aggregate> aggregates = {scatter(mesh)};
     const std::vector<Material> materials = {Matte{{{Color(0.7F, 0.7F, 0.7F), nullptr}, {}}}};
     const std::vector<Light> lights = {Sky{}, Sun{}};
