@@ -24,6 +24,15 @@ const CLI::App& innermost(const CLI::App& app) {
     return *command;
 }
 
+std::string command_name(const CLI::App& command) {
+    return command.get_parent() == nullptr ? "scree" : "scree " + command.get_name();
+}
+
+bool has_unknown_option(const CLI::App& app) {
+    const std::vector<std::string> extras = app.remaining(true);
+    return !extras.empty() && extras.front().starts_with("-");
+}
+
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options())
@@ -39,11 +48,11 @@ Error unknown_argument(const CLI::App& app) {
     const std::string given =
         extras.empty() ? "" : extras.front().substr(0, extras.front().find('='));
     if (given.starts_with("-"))
-        return Error::usage(fmt::format("{}: unknown option {}", command.get_display_name(), given),
+        return Error::usage(fmt::format("{}: unknown option {}", command_name(command), given),
                             did_you_mean(given, option_names(command)));
     if (&command != &app)
         return Error::usage(
-            fmt::format("{}: unexpected argument {}", command.get_display_name(), given));
+            fmt::format("{}: unexpected argument {}", command_name(command), given));
     std::vector<std::string> commands;
     for (const CLI::App* sub : app.get_subcommands({}))
         commands.push_back(sub->get_name());
@@ -87,11 +96,11 @@ int run_command_line(int argc, char** argv) {
     } catch (const CLI::ParseError& problem) {
         if (problem.get_exit_code() == 0)
             return app.exit(problem); // --help, --version
-        const CLI::App& command = innermost(app);
-        throw Error::usage(
-            fmt::format("{}: {}", &command == &app ? "scree" : "scree " + command.get_name(),
-                        problem.what()),
-            fmt::format("see scree{} --help", &command == &app ? "" : " " + command.get_name()));
+        if (has_unknown_option(app))
+            throw unknown_argument(app); // what made another one missing
+        const std::string name = command_name(innermost(app));
+        throw Error::usage(fmt::format("{}: {}", name, problem.what()),
+                           fmt::format("see {} --help", name));
     }
     if (!run) {
         fmt::print(stderr, "{}", app.help());
