@@ -41,7 +41,7 @@ local toys = generator.layout {
 }
 
 return scene {
-  film = { width = 1280, height = 720, samples = 64, clamp = 8 },
+  film = { width = 1280, height = 720, samples = 48, clamp = 8 },
   camera = camera.perspective {
     from = { 0.15, 1.12, 1.9 }, at = { 0, 0.0, 0.06 }, fov = 36, aperture = 0.015,
   },

@@ -91,7 +91,8 @@ class TableFinder {
         Open& open = open_.back();
         open.between_items = false;
         open.value = i;
-        TableSource::Item item{.line = tokens_[i].line};
+        TableSource::Item item;
+        item.line = tokens_[i].line;
         if (tokens_[i].type == LuaToken::Type::name && token_is(i + 1, "=")) {
             item.name = tokens_[i].text;
             open.value = i + 2;
