@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace scree {
 
 std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggregates,
@@ -24,8 +26,12 @@ std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggr
         if (aggregate.generator == "object")
             continue;
         Json facts = Json::object();
-        for (const auto& [name, value] : aggregate.facts)
-            facts[name] = value;
+        for (const auto& [name, value] : aggregate.facts) {
+            if (value == std::floor(value) && std::abs(value) < 0x1p53)
+                facts[name] = static_cast<std::int64_t>(value); // counts without a decimal point
+            else
+                facts[name] = value;
+        }
         root["generators"].push_back({{"generator", aggregate.generator}, {"facts", facts}});
     }
     if (render != nullptr) {

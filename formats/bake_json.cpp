@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace scree {
 
 namespace {
@@ -12,6 +14,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 bool is_time(const std::string& fact) { return fact == "seconds" || fact.ends_with("_seconds"); }
+
+// Counts without a decimal point.
+Json number_json(double value) {
+    if (value == std::floor(value) && std::abs(value) < 0x1p53)
+        return static_cast<std::int64_t>(value);
+    return value;
+}
 
 Json rings_json(const Region& region) {
     Json rings = Json::array();
@@ -55,7 +64,7 @@ Json aggregate_json(const Aggregate& aggregate) {
     Json facts = Json::object();
     for (const auto& [name, value] : aggregate.facts)
         if (!is_time(name))
-            facts[name] = value;
+            facts[name] = number_json(value);
     Json out{{"generator", aggregate.generator}, {"seed", aggregate.seed}, {"facts", facts}};
     if (aggregate.domain)
         out["domain"] = {{"rings", rings_json(*aggregate.domain)}, {"torus", false}};

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "render/embree_adapter.h"
+#include "render/instance_record.h"
 #include "render/ticks.h"
 #include "render/triangle_record.h"
 
@@ -31,38 +32,6 @@ struct ReleaseGeometry {
 using DeviceHandle = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
 using SceneHandle = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 using GeometryHandle = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
-
-// 64 bytes: one cache line per hit.
-struct InstanceRecord {
-    Vec3 rows[4]; // of world_from_object
-    std::uint32_t prototype;
-    float random;
-    float scale; // of lengths, mean over the axes
-    bool mirrored;
-    bool similar; // a turn and one scale, as generators make: normals go as directions do
-
-    Vec3 direction(const Vec3& v) const { return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z; }
-    Vec3 point(const Vec3& v) const { return direction(v) + rows[3]; }
-    // Normals go by the cofactors, up to a positive factor.
-    Vec3 normal(const Vec3& n) const {
-        if (similar)
-            return direction(n);
-        const Vec3 image = rows[1].cross(rows[2]) * n.x + rows[2].cross(rows[0]) * n.y +
-                           rows[0].cross(rows[1]) * n.z;
-        return mirrored ? -image : image;
-    }
-};
-
-// Up to the roundings of a matrix of floats, and without a mirror.
-bool is_similarity(const InstanceRecord& record) {
-    const float square = record.scale * record.scale;
-    const float allowed = 1e-5F * square;
-    for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j)
-            if (std::abs(record.rows[i].dot(record.rows[j]) - (i == j ? square : 0)) > allowed)
-                return false;
-    return !record.mirrored;
-}
 
 struct PrototypeRecord {
     const Mesh* mesh;
@@ -192,17 +161,7 @@ void World::State::add_instances(std::span<const Aggregate> aggregates) {
         for (const Instance& instance : aggregate.instances) {
             assert(instance.prototype < aggregate.prototypes.size());
             const std::uint32_t index = first_prototype + instance.prototype;
-            const Matrix& m = instance.world_from_object;
-            InstanceRecord record{};
-            for (int row = 0; row < 4; ++row)
-                record.rows[row] = {m[row][0], m[row][1], m[row][2]};
-            const float volume = record.rows[0].dot(record.rows[1].cross(record.rows[2]));
-            record.prototype = index;
-            record.random = instance.random;
-            record.scale = std::cbrt(std::abs(volume));
-            record.mirrored = volume < 0;
-            record.similar = is_similarity(record);
-            instances.push_back(record);
+            instances.push_back(instance_record(instance, index));
         }
         first_prototype += static_cast<std::uint32_t>(aggregate.prototypes.size());
     }
