@@ -325,11 +325,11 @@ RawHit World::find(const Ray& ray, std::uint64_t* clock) const {
     }
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return {};
-    const RawHit raw{query.hit.geomID,
-                     query.hit.instID[0],
-                     query.hit.primID,
-                     {query.hit.u, query.hit.v},
-                     query.ray.tfar};
+    RawHit raw{query.hit.geomID,
+               query.hit.instID[0],
+               query.hit.primID,
+               {query.hit.u, query.hit.v},
+               query.ray.tfar};
     if (raw.instance != Hit::none)
         __builtin_prefetch(&state_->instances[raw.instance]);
     return raw;

@@ -146,6 +146,8 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 } // namespace
 
 Json parse_json(std::string_view text, const std::string& file) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        fail(file, 1, "this is not JSON: the file is empty"); // versions of the library differ here
     LineCounter counter;
     Builder builder(file, counter);
     const CountingIterator begin(text.data(), &counter);
