@@ -237,9 +237,11 @@ TEST_F(Cli, ReferencePageIsThatOfTheDeclarations) {
 }
 
 TEST_F(Cli, CtrlCKeepsWhatIsDone) {
-    const std::string command = "cd '" + folder_.string() + "'; '" + SCREE_PROGRAM +
-                                "' render small.lua -o a.exr --spp 1000000 2>err.txt & "
-                                "sleep 4; kill -INT $!; wait $!";
+    const std::string command =
+        "cd '" + folder_.string() + "'; '" + SCREE_PROGRAM +
+        "' render small.lua -o a.exr --spp 1000000 2>err.txt & "
+        "for i in $(seq 300); do grep -q layout: err.txt && break; sleep 0.1; done; "
+        "sleep 1; kill -INT $!; wait $!";
     EXPECT_EQ(std::system(command.c_str()), 0);
     const std::string said = read_file(path("err.txt"));
     EXPECT_NE(said.find("interrupted: the picture holds what was done"), std::string::npos) << said;
