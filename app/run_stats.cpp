@@ -3,11 +3,10 @@
 
 #include "core/parallel.h"
 #include "core/version.h"
+#include "formats/bake_json.h"
 #include "render/render.h"
 
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace scree {
 
@@ -27,8 +26,8 @@ std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggr
             continue;
         Json facts = Json::object();
         for (const auto& [name, value] : aggregate.facts) {
-            if (value == std::floor(value) && std::abs(value) < 0x1p53)
-                facts[name] = static_cast<std::int64_t>(value); // counts without a decimal point
+            if (is_whole(value))
+                facts[name] = static_cast<std::int64_t>(value);
             else
                 facts[name] = value;
         }

@@ -5,8 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-
 namespace scree {
 
 namespace {
@@ -15,9 +13,8 @@ using Json = nlohmann::ordered_json;
 
 bool is_time(const std::string& fact) { return fact == "seconds" || fact.ends_with("_seconds"); }
 
-// Counts without a decimal point.
 Json number_json(double value) {
-    if (value == std::floor(value) && std::abs(value) < 0x1p53)
+    if (is_whole(value))
         return static_cast<std::int64_t>(value);
     return value;
 }

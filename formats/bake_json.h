@@ -3,6 +3,7 @@
 
 #include "core/aggregate.h"
 
+#include <cmath>
 #include <span>
 #include <string>
 
@@ -13,6 +14,9 @@ struct BakeSource {
     std::string scene; // file name of the script
     std::uint64_t seed = 0;
 };
+
+/// Whether a fact is a whole number, such as a count, which JSON shows without a decimal point.
+inline bool is_whole(double fact) { return fact == std::floor(fact) && std::abs(fact) < 0x1p53; }
 
 /// The aggregates as JSON, in metres and degrees, in the form that docs/formats.md gives. Numbers
 /// are written so that they read back to the same value.
