@@ -4,6 +4,7 @@
 
 #include "core/aggregate.h"
 #include "core/error.h"
+#include "core/field.h"
 #include "core/procedural.h"
 
 #include <cstdint>
@@ -35,11 +36,6 @@ enum class ParamType {
     material, // material.*
     record,   // a table with ParamSpec::fields
     list,     // a list of records with ParamSpec::fields
-};
-
-struct Range {
-    double low = 0;
-    double high = 0;
 };
 
 class Params;
