@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/height_field.h"
 #include "core/mesh.h"
 #include "core/region.h"
 
@@ -43,7 +44,8 @@ struct Aggregate {
     std::uint64_t seed = 0;
     std::vector<Prototype> prototypes;
     std::vector<Instance> instances;
-    std::shared_ptr<const Region> domain; // when the generator has one
+    std::shared_ptr<const Region> domain;      // when the generator has one
+    std::shared_ptr<const HeightField> height; // when the generator makes a relief
     Facts facts;
 };
 

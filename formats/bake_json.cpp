@@ -64,7 +64,7 @@ Json aggregate_json(const Aggregate& aggregate) {
             facts[name] = number_json(value);
     Json out{{"generator", aggregate.generator}, {"seed", aggregate.seed}, {"facts", facts}};
     if (aggregate.domain)
-        out["domain"] = {{"rings", rings_json(*aggregate.domain)}, {"torus", false}};
+        out["domain"] = {{"rings", rings_json(*aggregate.domain)}, {"torus", aggregate.torus}};
     out["prototypes"] = Json::array();
     for (const Prototype& prototype : aggregate.prototypes)
         out["prototypes"].push_back(prototype_json(prototype));
