@@ -9,7 +9,7 @@ namespace scree {
 
 namespace {
 
-Vec3d gradient(const Field& field, const Vec3d& p, double step) {
+Vec3d gradient(const SignedField& field, const Vec3d& p, double step) {
     Vec3d out;
     for (int axis = 0; axis < 3; ++axis) {
         Vec3d offset(0.0);
@@ -26,7 +26,8 @@ struct Grid {
     std::array<int, 3> size; // corners per axis
     std::vector<float> values;
 
-    Grid(const Field& field, const Imath::Box3d& box, double side) : origin(box.min), cell(side) {
+    Grid(const SignedField& field, const Imath::Box3d& box, double side)
+        : origin(box.min), cell(side) {
         for (int axis = 0; axis < 3; ++axis)
             size[axis] = int(std::ceil((box.max[axis] - box.min[axis]) / side)) + 1;
         values.reserve(std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]));
@@ -140,7 +141,7 @@ void add_polar_uvs(Mesh& mesh) {
 
 } // namespace
 
-Mesh polygonise(const Field& field, const Imath::Box3d& box, double cell) {
+Mesh polygonise(const SignedField& field, const Imath::Box3d& box, double cell) {
     // A cell through which the surface passes twice gives an edge of four faces; on a grid that
     // lies a little otherwise it does not.
     Mesh mesh;

@@ -11,12 +11,12 @@ namespace scree {
 using Vec3d = Imath::V3d;
 
 /// About a signed distance: negative inside, slope near 1 at the surface.
-using Field = std::function<double(const Vec3d&)>;
+using SignedField = std::function<double(const Vec3d&)>;
 
 /// The zero level of `field` inside `box`, which it must not touch, as a closed mesh: surface nets
 /// (Gibson 1998) on cells of side `cell`, each vertex then moved onto the level by Newton's method.
 /// Normals are the field's gradients; UVs are polar about the y axis.
-Mesh polygonise(const Field& field, const Imath::Box3d& box, double cell);
+Mesh polygonise(const SignedField& field, const Imath::Box3d& box, double cell);
 
 /// The union of two fields, rounded over the width `k` (Quilez' polynomial smooth minimum).
 double smooth_union(double a, double b, double k);
