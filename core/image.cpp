@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
@@ -16,6 +17,7 @@
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
+#include <OpenEXR/ImfVecAttribute.h>
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
@@ -79,7 +81,7 @@ std::vector<std::string> channel_names(int count) {
     return names[count - 1];
 }
 
-Image read_display_image(const std::string& path, const char* format) {
+Image read_display_image(const std::string& path, const char* format, bool to_linear) {
     static std::once_flag once;
     std::call_once(once, [] {
         OIIO::attribute("limits:channels", 4);
@@ -104,6 +106,8 @@ Image read_display_image(const std::string& path, const char* format) {
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.pixels.data()))
         throw failure();
     input->close();
+    if (!to_linear)
+        return image;
     const int colors = spec.nchannels <= 2 ? 1 : 3;
     for (std::size_t i = 0; i < image.pixels.size(); i += std::size_t(spec.nchannels)) {
         const float alpha = spec.nchannels > colors ? image.pixels[i + std::size_t(colors)] : 1.0F;
@@ -222,7 +226,34 @@ class CheckedStream final : public Imf::OStream {
     int error_ = 0;
 };
 
-Imf::Header header_of(const ImagePart& part, const Metadata& metadata) {
+void insert_numbers(Imf::Header& header, const std::string& name, const std::vector<float>& v) {
+    assert(!v.empty() && v.size() <= 3);
+    if (v.size() == 1)
+        header.insert(name, Imf::FloatAttribute(v[0]));
+    else if (v.size() == 2)
+        header.insert(name, Imf::V2fAttribute({v[0], v[1]}));
+    else
+        header.insert(name, Imf::V3fAttribute({v[0], v[1], v[2]}));
+}
+
+std::vector<float> numbers_of(const Imf::Attribute& attribute) {
+    if (const auto* one = dynamic_cast<const Imf::FloatAttribute*>(&attribute))
+        return {one->value()};
+    if (const auto* two = dynamic_cast<const Imf::V2fAttribute*>(&attribute))
+        return {two->value().x, two->value().y};
+    if (const auto* three = dynamic_cast<const Imf::V3fAttribute*>(&attribute))
+        return {three->value().x, three->value().y, three->value().z};
+    return {};
+}
+
+// What every EXR has, wherever it is from.
+bool is_standard_number(const std::string& name) {
+    return name == "pixelAspectRatio" || name == "screenWindowCenter" ||
+           name == "screenWindowWidth";
+}
+
+Imf::Header header_of(const ImagePart& part, const Metadata& metadata,
+                      const HeaderNumbers& numbers) {
     Imf::Header header(part.image.width, part.image.height);
     header.setName(part.name);
     header.setType(Imf::SCANLINEIMAGE);
@@ -231,6 +262,8 @@ Imf::Header header_of(const ImagePart& part, const Metadata& metadata) {
         header.channels().insert(channel, Imf::Channel(part.full_float ? Imf::FLOAT : Imf::HALF));
     for (const auto& [name, value] : metadata)
         header.insert(name, Imf::StringAttribute(value));
+    for (const auto& [name, value] : numbers)
+        insert_numbers(header, name, value);
     return header;
 }
 
@@ -270,18 +303,22 @@ float dither(int x, int y) {
     return (static_cast<float>(rank) + 0.5F) / 64.0F;
 }
 
-} // namespace
-
-Image read_image(const std::string& path) {
+Image read_any_image(const std::string& path, bool to_linear) {
     const Format format = format_of(path);
     if (format != Format::exr)
-        return read_display_image(path, format == Format::png ? "png" : "jpeg");
+        return read_display_image(path, format == Format::png ? "png" : "jpeg", to_linear);
     ImagePart part =
         with_exr(path, [&](Imf::MultiPartInputFile& file) { return read_part(path, file, 0); });
     if (part.image.channels.size() > 4)
         throw Error(path + ": has more than 4 channels in its first part");
     return std::move(part.image);
 }
+
+} // namespace
+
+Image read_image(const std::string& path) { return read_any_image(path, true); }
+
+Image read_data_image(const std::string& path) { return read_any_image(path, false); }
 
 ExrFile read_exr(const std::string& path) {
     if (format_of(path) != Format::exr)
@@ -296,18 +333,21 @@ ExrFile read_exr(const std::string& path) {
             const std::string name = attribute.name();
             if (text != nullptr && name != "name" && name != "type" && name != "view")
                 result.metadata.emplace_back(name, text->value());
+            std::vector<float> numbers = numbers_of(attribute.attribute());
+            if (!numbers.empty() && !is_standard_number(name))
+                result.numbers.emplace_back(name, std::move(numbers));
         }
         return result;
     });
 }
 
 void write_exr(const std::string& path, std::span<const ImagePart> parts,
-               const Metadata& metadata) {
+               const Metadata& metadata, const HeaderNumbers& numbers) {
     assert(!parts.empty());
     write_atomically(path, [&](const std::string& temporary) {
         std::vector<Imf::Header> headers;
         for (const ImagePart& part : parts)
-            headers.push_back(header_of(part, metadata));
+            headers.push_back(header_of(part, metadata, numbers));
         try {
             Imf::setGlobalThreadCount(thread_count());
             CheckedStream stream(temporary);

@@ -39,20 +39,29 @@ struct ImagePart {
 
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
+/// Numbers of an EXR's header: one is a float attribute, two are a v2f, three a v3f.
+using HeaderNumbers = std::vector<std::pair<std::string, std::vector<float>>>;
+
 /// Reads a PNG, JPEG or EXR (first part) with at most 4 channels and a size limit; PNG and JPEG
 /// values are converted from sRGB to linear. Throws Error (input) naming the file.
 Image read_image(const std::string& path);
 
-/// Reads all parts of an EXR and its string metadata.
+/// The same file as data: values as they are stored, 8 and 16 bits as 0 to 1, without conversion
+/// and not multiplied by alpha.
+Image read_data_image(const std::string& path);
+
+/// Reads all parts of an EXR, and the first part's header: its strings and its own numbers.
 struct ExrFile {
     std::vector<ImagePart> parts;
     Metadata metadata;
+    HeaderNumbers numbers;
 };
 ExrFile read_exr(const std::string& path);
 
 /// Writes a multi-part EXR atomically (zip compressed, every part with the metadata). Throws Error
 /// (resource) on an unwritable path or a full disk.
-void write_exr(const std::string& path, std::span<const ImagePart> parts, const Metadata& metadata);
+void write_exr(const std::string& path, std::span<const ImagePart> parts, const Metadata& metadata,
+               const HeaderNumbers& numbers = {});
 
 /// Writes 8-bit PNG atomically; `image` has 1, 3 or 4 channels already display-encoded in [0, 1].
 /// Dithered by no more than half a step with a fixed pattern, to hide banding.
