@@ -46,6 +46,7 @@ struct Aggregate {
     std::vector<Instance> instances;
     std::shared_ptr<const Region> domain;      // when the generator has one
     std::shared_ptr<const HeightField> height; // when the generator makes a relief
+    bool torus = false; // the domain is a rectangle whose opposite sides are one
     Facts facts;
 };
 
