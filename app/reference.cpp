@@ -39,6 +39,10 @@ std::string type_text(const ParamSpec& spec) {
         return "mesh.*";
     case ParamType::region:
         return "region.*";
+    case ParamType::field:
+        return "field.* or a number";
+    case ParamType::function:
+        return "function(x, z)";
     case ParamType::shape:
         return "mesh.* or region.*";
     case ParamType::material:
@@ -77,6 +81,7 @@ std::string value_text(const Value& value, double unit) {
         std::string operator()(const std::vector<Vec2>&) const { return ""; }
         std::string operator()(const std::shared_ptr<const Mesh>&) const { return ""; }
         std::string operator()(const std::shared_ptr<const Region>&) const { return ""; }
+        std::string operator()(const std::shared_ptr<const Field>&) const { return ""; }
         std::string operator()(MaterialId) const { return "grey"; }
         std::string operator()(const std::shared_ptr<const std::vector<Params>>&) const {
             return "";

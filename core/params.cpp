@@ -46,6 +46,10 @@ std::shared_ptr<const Region> Params::region(const std::string& name) const {
     return get<std::shared_ptr<const Region>>(name);
 }
 
+std::shared_ptr<const Field> Params::field(const std::string& name) const {
+    return get<std::shared_ptr<const Field>>(name);
+}
+
 bool Params::is_mesh(const std::string& name) const {
     const auto entry = entries_.find(name);
     return entry != entries_.end() &&

@@ -32,6 +32,8 @@ enum class ParamType {
     points,   // list of {x, z}
     mesh,     // mesh.*
     region,   // region.*
+    field,    // field.*, or a number: the same value everywhere; in the unit of scripts
+    function, // a function(x, z) of a script, sampled on a grid: a text of numbers
     shape,    // mesh.* or region.*
     material, // material.*
     record,   // a table with ParamSpec::fields
@@ -42,8 +44,8 @@ class Params;
 
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec2, Vec3,
                            Color, Texture, Range, std::vector<Vec2>, std::shared_ptr<const Mesh>,
-                           std::shared_ptr<const Region>, MaterialId,
-                           std::shared_ptr<const std::vector<Params>>>;
+                           std::shared_ptr<const Region>, std::shared_ptr<const Field>,
+                           MaterialId, std::shared_ptr<const std::vector<Params>>>;
 
 /// The declaration of one parameter.
 struct ParamSpec {
@@ -53,7 +55,7 @@ struct ParamSpec {
     std::string unit{};          // "m", "deg", ...
     Value fallback{};            // monostate: required, unless `optional`
     bool optional = false;       // may be absent and then has no value
-    std::optional<double> min{}; // in the unit of scripts; holds for both ends of a range
+    std::optional<double> min{}; // in the unit of scripts; for all values of a range or field
     std::optional<double> max{};
     bool above_min = false; // min itself is not allowed
     std::vector<std::string> choices{};
@@ -75,7 +77,7 @@ class Params {
     bool flag(const std::string& name) const;
     std::int64_t integer(const std::string& name) const;
     double number(const std::string& name) const;
-    const std::string& text(const std::string& name) const; // text, choice, path
+    const std::string& text(const std::string& name) const; // text, choice, path, function
     const Vec2& vector2(const std::string& name) const;
     const Vec3& vector3(const std::string& name) const;
     const Color& color(const std::string& name) const;
@@ -84,6 +86,7 @@ class Params {
     const std::vector<Vec2>& points(const std::string& name) const;
     std::shared_ptr<const Mesh> mesh(const std::string& name) const;
     std::shared_ptr<const Region> region(const std::string& name) const;
+    std::shared_ptr<const Field> field(const std::string& name) const;
     bool is_mesh(const std::string& name) const; // which of the two a `shape` is
     MaterialId material(const std::string& name) const;
     const std::vector<Params>& list(const std::string& name) const;

@@ -19,6 +19,14 @@ enum class Purpose : std::uint32_t {
     mesh_shape = 6,
     pixel_sample = 7,
     test = 8,
+    layout_saturate = 9,
+    analysis_sample = 32,
+    layout_order = 10,
+    leather_cell = 40,
+    leather_outline = 41,
+    leather_height = 42,
+    leather_noise = 43,
+    leather_pore = 44,
 };
 
 /// A stream of uniform numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et al.

@@ -2,12 +2,14 @@
 #include "generators/table.h"
 
 #include "generators/layout/layout_generator.h"
+#include "generators/leather/leather_generator.h"
 
 namespace scree {
 
 Registry<Bake> generator_table() {
     Registry<Bake> table("generator");
     table.add(layout_plugin());
+    table.add(leather_plugin());
     return table;
 }
 

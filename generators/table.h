@@ -16,8 +16,12 @@ using MakeMesh = Mesh(const Params& params);
 /// Makes a region from its checked parameters.
 using MakeRegion = Region(const Params& params);
 
+/// Makes a field from its checked parameters.
+using MakeField = std::shared_ptr<const Field>(const Params& params);
+
 Registry<Bake> generator_table();     // generator.layout, ...
 Registry<MakeMesh> component_table(); // mesh.banana, mesh.box, ... (mesh.file is in formats)
 Registry<MakeRegion> region_table();  // region.rectangle, region.polygon, ...
+Registry<MakeField> field_table();    // field.image, field.function, ...
 
 } // namespace scree

@@ -2,6 +2,7 @@
 #include "generators/layout/domain_test.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace scree {
 
@@ -25,7 +26,9 @@ bool segments_apart(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& 
 } // namespace
 
 DomainTest::DomainTest(std::shared_ptr<const Region> domain, Inside inside)
-    : domain_(std::move(domain)), inside_(inside), box_(bounds(*domain_)) {
+    : domain_(std::move(domain)), inside_(inside), box_(bounds(*domain_)), period_(box_.size()) {
+    if (!is_torus())
+        period_ = Vec2(std::numeric_limits<double>::infinity());
     tolerance_ = 1e-12 * (box_.size().length() + box_.center().length());
     double sum = 0;
     for (const auto& t : domain_->triangles) {
@@ -70,7 +73,26 @@ void DomainTest::visit_edges_near(const Vec2& point, double distance, const Visi
 
 bool DomainTest::contains_point(const Vec2& point) const { return contains(*domain_, point); }
 
+Vec2 DomainTest::wrapped(const Vec2& point) const {
+    if (!is_torus())
+        return point;
+    const auto wrap = [](double value, double low, double period) {
+        const double result = value - std::floor((value - low) / period) * period;
+        return result < low + period ? result : low; // rounding may reach the far end
+    };
+    return {wrap(point.x, box_.min.x, period_.x), wrap(point.y, box_.min.y, period_.y)};
+}
+
+Vec2 DomainTest::nearest_image(const Vec2& offset) const {
+    if (!is_torus())
+        return offset;
+    return {offset.x - std::round(offset.x / period_.x) * period_.x,
+            offset.y - std::round(offset.y / period_.y) * period_.y};
+}
+
 bool DomainTest::accepts(const CollisionShape& shape, const Pose& pose, double clearance) const {
+    if (is_torus())
+        return true;
     if (inside_ == Inside::centre)
         return contains_point(pose.position);
     if (!box_.intersects(pose.position))

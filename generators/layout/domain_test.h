@@ -10,8 +10,9 @@ namespace scree {
 
 /// Where elements may lie.
 enum class Inside {
-    whole, // no part of a region sticks out of the domain
-    centre // the centre of the region's bounding box lies in it
+    whole,  // no part of a region sticks out of the domain
+    centre, // the centre of the region's bounding box lies in it
+    torus   // as for centre, and what leaves the domain, a rectangle, comes back on the other side
 };
 
 /// Asks whether an element lies in the domain, and draws points in it. The domain's edges are
@@ -25,6 +26,13 @@ class DomainTest {
     bool accepts(const CollisionShape& shape, const Pose& pose, double clearance = 0) const;
 
     bool contains_point(const Vec2& point) const;
+
+    bool is_torus() const { return inside_ == Inside::torus; }
+
+    /// Of a torus: the point's image in the box; the shortest of a vector's images. Both are what
+    /// they were on a plane.
+    Vec2 wrapped(const Vec2& point) const;
+    Vec2 nearest_image(const Vec2& offset) const;
 
     /// A point uniformly distributed over the domain.
     Vec2 sample(Random& random) const;
@@ -46,6 +54,7 @@ class DomainTest {
     std::shared_ptr<const Region> domain_;
     Inside inside_;
     Box2 box_;
+    Vec2 period_; // of a torus, otherwise infinite
     double tolerance_ = 0;
     std::vector<double> triangle_sums_; // running sum of areas
     int cells_ = 1;                     // per side

@@ -11,17 +11,20 @@ namespace {
 /// Step 1: elements at Poisson-disk points, whose circles hold the largest element at any angle.
 void place_sparsely(const LayoutProblem& problem, std::uint64_t cancellations,
                     Placements& placements, MethodCounts& counts) {
-    const double distance = 2 * problem.largest_radius() + problem.clearance();
+    const double distance =
+        2 * (problem.largest_radius() + problem.largest_margin()) + problem.clearance();
     std::uint64_t in_a_row = 0;
     for (std::uint64_t i = 0; in_a_row < cancellations && !placements.full(); ++i) {
         Random random(problem.seed, Purpose::layout_sparse, i);
-        const Dart dart = throw_dart_at(problem, counts.trials, problem.domain.sample(random));
+        const std::optional<Dart> dart =
+            throw_dart_at(problem, counts.trials, problem.domain.sample(random));
         const bool is_placed =
-            placements.keeps_distance(dart.pose.position, distance) &&
-            problem.domain.accepts(problem.shapes[dart.component], dart.pose, problem.clearance());
+            dart && placements.keeps_distance(dart->pose.position, distance) &&
+            problem.domain.accepts(problem.shapes[dart->component], dart->pose,
+                                   problem.clearance() + dart->margin);
         ++counts.trials;
         if (is_placed) {
-            placements.place(dart);
+            placements.place(*dart);
             in_a_row = 0;
         } else {
             ++counts.cancellations;
@@ -65,7 +68,8 @@ MethodCounts fill_gap(const LayoutProblem& problem, const FillGapSettings& setti
         for (const Vec2& point : points) {
             if (in_a_row >= settings.cancellations || placements.full())
                 break;
-            if (placements.try_place(throw_dart_at(problem, counts.trials++, point))) {
+            const std::optional<Dart> dart = throw_dart_at(problem, counts.trials++, point);
+            if (dart && placements.try_place(*dart)) {
                 in_a_row = 0;
             } else {
                 ++counts.cancellations;

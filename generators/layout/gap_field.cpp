@@ -60,9 +60,16 @@ struct GapField::Buffers {
 GapField::GapField(const DomainTest& domain, int resolution, Device* device) : device_(device) {
     const Vec2 size = domain.box().size();
     pixel_ = std::max(size.x, size.y) / resolution;
-    // One pixel more on each side, so that the domain's border is seen as one.
-    width_ = static_cast<int>(std::ceil(size.x / pixel_ - 1e-9)) + 2;
-    height_ = static_cast<int>(std::ceil(size.y / pixel_ - 1e-9)) + 2;
+    // One pixel more on each side, so that the domain's border is seen as one. A torus is seen with
+    // a quarter of its images on each side, farther than gaps are wide once it is sparsely filled.
+    const Vec2 border = domain.is_torus() ? size / pixel_ / 4.0 : Vec2(1);
+    const auto pixels_for = [](double length, double more) {
+        return static_cast<int>(std::ceil(length - 1e-9)) + 2 * static_cast<int>(std::ceil(more));
+    };
+    width_ = pixels_for(size.x / pixel_, border.x);
+    height_ = pixels_for(size.y / pixel_, border.y);
+    if (domain.is_torus())
+        period_ = size;
     origin_ = domain.box().center() - Vec2(width_, height_) * (pixel_ / 2);
     const bool whole = domain.inside() == Inside::whole;
     const size_t pixels = size_t(width_) * size_t(height_);
@@ -78,12 +85,16 @@ GapField::~GapField() = default;
 
 void GapField::occupy(const Region& outline, const Pose& pose) {
     changed_ = true;
-    std::vector<Ring> rings = outline.rings;
-    for (Ring& ring : rings)
-        for (Vec2& v : ring)
-            v = pose.apply(v);
-    for_each_pixel_inside(rings, origin_, pixel_, width_, height_,
-                          [&](size_t i) { state_[i] |= SCREE_OCCUPIED | SCREE_EXCLUDED; });
+    for (int y = period_ ? -1 : 0; y <= (period_ ? 1 : 0); ++y) {
+        for (int x = period_ ? -1 : 0; x <= (period_ ? 1 : 0); ++x) {
+            std::vector<Ring> rings = outline.rings;
+            for (Ring& ring : rings)
+                for (Vec2& v : ring)
+                    v = pose.apply(v) + (period_ ? *period_ * Vec2(x, y) : Vec2(0));
+            for_each_pixel_inside(rings, origin_, pixel_, width_, height_,
+                                  [&](size_t i) { state_[i] |= SCREE_OCCUPIED | SCREE_EXCLUDED; });
+        }
+    }
 }
 
 void GapField::update_on_device() {

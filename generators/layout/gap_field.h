@@ -5,6 +5,7 @@
 #include "generators/layout/domain_test.h"
 
 #include <memory>
+#include <optional>
 
 namespace scree {
 
@@ -44,6 +45,7 @@ class GapField {
     bool changed_ = true; // since the distances were last computed
     double pixel_ = 0;
     Vec2 origin_;
+    std::optional<Vec2> period_; // of a torus [m]
     int width_ = 0;
     int height_ = 0;
     std::vector<std::uint8_t> state_;

@@ -4,35 +4,63 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 
 namespace scree {
 
 namespace {
 
-std::uint32_t choose_component(const LayoutProblem& problem, std::uint64_t trial, Random& random) {
-    const std::size_t count = problem.shapes.size();
-    if (problem.selection == Selection::cyclic)
+/// What a trial draws before it has a place.
+struct Draw {
+    double choice = 0; // uniform in [0, 1)
+    double turn = 0;   // [rad]
+    double scale = 1;
+};
+
+Draw draw(const LayoutProblem& problem, Random& random) {
+    Draw result;
+    if (problem.selection == Selection::weighted)
+        result.choice = random.uniform();
+    result.turn = random.uniform(problem.rotation.low, problem.rotation.high);
+    result.scale = random.uniform(problem.scale.low, problem.scale.high);
+    return result;
+}
+
+/// Among the components that may lie there; nobody where there are none.
+std::optional<std::uint32_t> choose_component(const LayoutProblem& problem, std::uint64_t trial,
+                                              double choice, const Vec2& position) {
+    const auto count = static_cast<std::uint32_t>(problem.shapes.size());
+    if (!problem.fields.classes && problem.selection == Selection::cyclic)
         return static_cast<std::uint32_t>(trial % count);
-    const double sum = std::accumulate(problem.weights.begin(), problem.weights.end(), 0.0);
-    double left = random.uniform() * sum;
-    std::uint32_t last = 0;
+    const auto weight = [&](std::uint32_t i) {
+        if (!problem.has_class(i, position))
+            return 0.0;
+        return problem.selection == Selection::weighted ? problem.weights[i] : 1.0;
+    };
+    double sum = 0;
+    for (std::uint32_t i = 0; i < count; ++i)
+        sum += weight(i);
+    double left = problem.selection == Selection::weighted
+                      ? choice * sum
+                      : std::fmod(static_cast<double>(trial), sum);
+    std::optional<std::uint32_t> chosen;
     for (std::uint32_t i = 0; i < count; ++i) {
-        if (problem.weights[i] <= 0)
+        if (weight(i) <= 0)
             continue;
-        last = i;
-        left -= problem.weights[i];
+        chosen = i;
+        left -= weight(i);
         if (left < 0)
             break;
     }
-    return last;
+    return chosen;
 }
 
-Dart turned_dart(const LayoutProblem& problem, std::uint64_t trial, Random& random) {
-    const std::uint32_t component = choose_component(problem, trial, random);
-    const double angle = random.uniform(problem.rotation.low, problem.rotation.high);
-    const double scale = random.uniform(problem.scale.low, problem.scale.high);
-    return {component, Pose({0, 0}, angle, scale)};
+std::optional<Dart> dart_of(const LayoutProblem& problem, std::uint64_t trial, const Draw& draw,
+                            const Vec2& position) {
+    const auto component = choose_component(problem, trial, draw.choice, position);
+    if (!component)
+        return std::nullopt;
+    return problem.dart(*component, position, draw.turn, draw.scale);
 }
 
 /// Extent of all outer points along a direction [m].
@@ -52,8 +80,57 @@ double width_along(const Region& region, const Vec2& direction) {
 double LayoutProblem::largest_radius() const {
     double radius = 0;
     for (const CollisionShape& shape : shapes)
-        radius = std::max(radius, shape.radius() * scale.high);
-    return radius;
+        radius = std::max(radius, shape.radius());
+    return radius * scale.high * scale_over(domain.box()).high;
+}
+
+double LayoutProblem::smallest_radius() const {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const CollisionShape& shape : shapes)
+        radius = std::min(radius, shape.radius());
+    return radius * scale.low * scale_over(domain.box()).low;
+}
+
+double LayoutProblem::smallest_inner_radius() const {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const CollisionShape& shape : shapes)
+        radius = std::min(radius, shape.inner_radius());
+    return radius * scale.low * scale_over(domain.box()).low;
+}
+
+double LayoutProblem::largest_margin() const {
+    double margin = 0;
+    for (const double m : margins)
+        margin = std::max(margin, m);
+    return margin * scale.high * scale_over(domain.box()).high * density_over(domain.box()).high;
+}
+
+Range LayoutProblem::direction_over(const Box2& box) const {
+    if (!fields.direction)
+        return {0, 0};
+    const Range range = fields.direction->over(box);
+    return {radians(range.low), radians(range.high)};
+}
+
+Range LayoutProblem::scale_over(const Box2& box) const {
+    return fields.scale ? fields.scale->over(box) : Range{1, 1};
+}
+
+Range LayoutProblem::density_over(const Box2& box) const {
+    return fields.density ? fields.density->over(box) : Range{1, 1};
+}
+
+bool LayoutProblem::has_class(std::uint32_t component, const Vec2& point) const {
+    return !fields.classes || std::lround(fields.classes->at(point)) == classes[component];
+}
+
+Dart LayoutProblem::dart(std::uint32_t component, const Vec2& position, double turn,
+                         double scale) const {
+    const double direction = fields.direction ? radians(fields.direction->at(position)) : 0;
+    const double factor = fields.scale ? fields.scale->at(position) : 1;
+    const double density = fields.density ? fields.density->at(position) : 1;
+    const double margin = margins.empty() ? 0 : margins[component] * scale * factor * density;
+    return {component, Pose(position, direction + turn, scale * factor), margin};
 }
 
 double LayoutProblem::clearance() const {
@@ -61,35 +138,32 @@ double LayoutProblem::clearance() const {
     double reach = std::max(
         {std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)});
     for (const CollisionShape& shape : shapes)
-        reach = std::max(reach, (shape.centre().length() + shape.radius()) * scale.high);
+        reach = std::max(reach, (shape.centre().length() + shape.radius()) * scale.high *
+                                    scale_over(box).high);
     // Four roundings of 2^-24 (rotation times centre, position) for each of two elements.
     return 8 * 0x1p-24 * reach;
 }
 
-double LayoutProblem::smallest_radius() const {
-    double radius = std::numeric_limits<double>::infinity();
-    for (const CollisionShape& shape : shapes)
-        radius = std::min(radius, shape.radius() * scale.low);
-    return radius;
+std::optional<Dart> throw_dart(const LayoutProblem& problem, std::uint64_t trial) {
+    Random random(problem.seed, Purpose::layout_dart, trial);
+    const Draw drawn = draw(problem, random);
+    return dart_of(problem, trial, drawn, problem.domain.sample(random));
 }
 
-Dart throw_dart(const LayoutProblem& problem, std::uint64_t trial) {
+std::optional<Dart> throw_dart_at(const LayoutProblem& problem, std::uint64_t trial,
+                                  const Vec2& position) {
     Random random(problem.seed, Purpose::layout_dart, trial);
-    Dart dart = turned_dart(problem, trial, random);
-    dart.pose.position = problem.domain.sample(random);
-    return dart;
+    return throw_dart_at(problem, trial, position, random);
 }
 
-Dart throw_dart_at(const LayoutProblem& problem, std::uint64_t trial, const Vec2& position) {
-    Random random(problem.seed, Purpose::layout_dart, trial);
-    Dart dart = turned_dart(problem, trial, random);
-    dart.pose.position = position;
-    return dart;
+std::optional<Dart> throw_dart_at(const LayoutProblem& problem, std::uint64_t trial,
+                                  const Vec2& position, Random& random) {
+    return dart_of(problem, trial, draw(problem, random), position);
 }
 
 void check_fits(const LayoutProblem& problem, std::size_t component, const std::string& name) {
     const CollisionShape& shape = problem.shapes[component];
-    const double scale = problem.scale.low;
+    const double scale = problem.scale.low * problem.scale_over(problem.domain.box()).low;
     const Vec2 domain_size = problem.domain.box().size();
     // Turning by half a step changes a width by at most the diameter times that angle, so a shape
     // that fits at any angle passes at the nearest step.

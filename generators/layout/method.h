@@ -10,12 +10,33 @@ namespace scree {
 struct MethodCounts {
     std::uint64_t trials = 0;
     std::uint64_t cancellations = 0; // trials that found no room
+    std::uint64_t queries = 0;       // pairs tested, beside those that Placements counted
 };
 
 /// Naive dart throwing (Sakurai & Miyata 2014, section 3.2): random place and rotation, cancelled
 /// on overlap, until `cancellations` trials in a row were cancelled.
 MethodCounts fill_naive(const LayoutProblem& problem, std::uint64_t cancellations,
                         Placements& placements, const Context& context);
+
+/// What the saturated method proves.
+struct Certificate {
+    double epsilon = 0;          // nothing fits anywhere with this clearance [m]
+    std::uint64_t cells = 0;     // intervals of angle and scale over an area, examined for it
+    std::uint64_t undecided = 0; // areas where neither could be shown; 0 makes it a proof
+    double seconds = 0;
+};
+
+struct SaturatedSettings {
+    double epsilon = 0;   // [m]
+    double darts = 120;   // thrown for each element that the domain has area for, before the search
+};
+
+/// Fills the domain until no component of any kind fits anywhere, at any allowed angle and scale,
+/// with the clearance epsilon: random darts first, then a search that looks at every place where
+/// there may still be room. Throws Error for an epsilon that is too small.
+MethodCounts fill_saturated(const LayoutProblem& problem, const SaturatedSettings& settings,
+                            Placements& placements, Certificate& certificate,
+                            const Context& context);
 
 struct FillGapSettings {
     std::uint64_t cancellations = 200; // in a row, that end it (section 4)

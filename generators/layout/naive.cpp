@@ -10,7 +10,8 @@ MethodCounts fill_naive(const LayoutProblem& problem, std::uint64_t cancellation
     MethodCounts counts;
     std::uint64_t longest = 0;
     for (std::uint64_t in_a_row = 0; in_a_row < cancellations && !placements.full();) {
-        if (placements.try_place(throw_dart(problem, counts.trials++))) {
+        const std::optional<Dart> dart = throw_dart(problem, counts.trials++);
+        if (dart && placements.try_place(*dart)) {
             in_a_row = 0;
         } else {
             ++counts.cancellations;

@@ -78,9 +78,41 @@ EdgeChunk moved(const EdgeChunk& chunk, const Motion& b_from_a) {
     return result;
 }
 
+Float4 clamped(const Float4& v, const Float4& limit) {
+    const Float4 low = v < -limit ? -limit : v;
+    return low > limit ? limit : low;
+}
+
+/// Squared distance of the point from the segments with these middles, directions and half lengths.
+Float4 squared_distance(const Float4& x, const Float4& y, const Float4& along_x,
+                        const Float4& along_y, const Float4& half) {
+    const Float4 t = clamped(x * along_x + y * along_y, half);
+    const Float4 dx = x - t * along_x, dy = y - t * along_y;
+    return dx * dx + dy * dy;
+}
+
+/// Whether an end of edge i of `a` or of an edge of `b` is within `distance` of the other edge.
+/// Segments that do not cross are nearest to each other at an end of one of them.
+Mask4 ends_within(const EdgeChunk& a, int i, const EdgeChunk& b, float distance) {
+    const Float4 x = a.middle_x[i] - b.middle_x, y = a.middle_y[i] - b.middle_y;
+    const Float4 ax = Float4{} + a.along_x[i], ay = Float4{} + a.along_y[i];
+    const Float4 half = Float4{} + a.half[i];
+    const Float4 limit = Float4{} + distance * distance;
+    Mask4 result{};
+    for (const float side : {-1.0F, 1.0F}) {
+        result |= squared_distance(x + side * half * ax, y + side * half * ay, b.along_x, b.along_y,
+                                   b.half) <= limit;
+        result |= squared_distance(side * b.half * b.along_x - x, side * b.half * b.along_y - y, ax,
+                                   ay, half) <= limit;
+    }
+    return result;
+}
+
 /// Whether some edge of `a` comes within `tolerance` of some edge of `b`. Two segments are apart
 /// when their projections onto one of four axes are: each segment's direction and its normal.
-bool edges_meet(const EdgeChunk& a, const EdgeChunk& b, float tolerance) {
+/// That sees corners at up to sqrt(2) times the tolerance; `exact` looks again, with a tolerance
+/// that must then be much larger than rounding.
+bool edges_meet(const EdgeChunk& a, const EdgeChunk& b, float tolerance, bool exact) {
     const Float4 b_reach = b.half + tolerance;
     Mask4 all_apart = ~Mask4{};
     for (int i = 0; i < a.count; ++i) {
@@ -89,16 +121,24 @@ bool edges_meet(const EdgeChunk& a, const EdgeChunk& b, float tolerance) {
         const Float4 x = a.middle_x[i] - b.middle_x, y = a.middle_y[i] - b.middle_y;
         const Float4 sine = absolute(along_x * b.along_y - along_y * b.along_x);
         const Float4 cosine = absolute(along_x * b.along_x + along_y * b.along_y);
-        all_apart &= (absolute(x * b.along_y - y * b.along_x) > half * sine + tolerance) |
-                     (absolute(x * b.along_x + y * b.along_y) > half * cosine + b_reach) |
-                     (absolute(x * along_y - y * along_x) > b.half * sine + tolerance) |
-                     (absolute(x * along_x + y * along_y) > b.half * cosine + reach);
+        const Float4 off_b = absolute(x * b.along_y - y * b.along_x);
+        const Float4 off_a = absolute(x * along_y - y * along_x);
+        Mask4 apart = (off_b > half * sine + tolerance) |
+                      (absolute(x * b.along_x + y * b.along_y) > half * cosine + b_reach) |
+                      (off_a > b.half * sine + tolerance) |
+                      (absolute(x * along_x + y * along_y) > b.half * cosine + reach);
+        if (exact && any(~apart)) {
+            // Lines that cross within both segments, or nearly so, count as met.
+            const Mask4 cross = (off_b <= half * sine) & (off_a <= b.half * sine);
+            apart |= ~cross & ~ends_within(a, i, b, tolerance);
+        }
+        all_apart &= apart;
     }
     return any(~all_apart);
 }
 
 bool outlines_meet(const CollisionShape& a, const CollisionShape& b, const Motion& b_from_a,
-                   float tolerance) {
+                   float tolerance, bool exact) {
     const float b_radius = static_cast<float>(b.radius()) + tolerance;
     for (const EdgeChunk& chunk : a.chunks()) {
         const float x = b_from_a.apply_x(chunk.centre_x, chunk.centre_y);
@@ -117,7 +157,7 @@ bool outlines_meet(const CollisionShape& a, const CollisionShape& b, const Motio
                 moved_chunk = moved(chunk, b_from_a);
                 is_moved = true;
             }
-            if (edges_meet(moved_chunk, other, tolerance))
+            if (edges_meet(moved_chunk, other, tolerance, exact))
                 return true;
         }
     }
@@ -155,7 +195,8 @@ bool overlap(const CollisionShape& a, const Pose& pose_a, const CollisionShape& 
     // middle is off by at most 5, its difference to another by 1, a product with a unit vector by
     // 6, the half length times sine or cosine by 4: less than 20 in all, or 2.4e-6 of the reach.
     const auto tolerance = static_cast<float>((4e-6 * reach + clearance) / pose_b.scale);
-    if (outlines_meet(a, b, b_from_a, tolerance))
+    const bool exact = clearance > 1e-3 * reach; // less is hardly seen
+    if (outlines_meet(a, b, b_from_a, tolerance, exact))
         return true;
     for (const Vec2& v : a.outer_vertices()) {
         const Vec2 turned(pose_a.cosine * v.x - pose_a.sine * v.y,

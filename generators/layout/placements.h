@@ -17,8 +17,12 @@ class Placements {
     /// Places the dart's element if it lies in the domain and overlaps nothing.
     bool try_place(const Dart& dart);
 
-    /// Whether it could be placed.
-    bool is_free(const Dart& dart);
+    /// Whether it could be placed; counts pairs tested. Threads may share it.
+    bool is_free(const Dart& dart, std::uint64_t& queries) const;
+
+    /// The elements whose circles, margins included, come within `radius` of the point, in no
+    /// certain order; on a torus the nearest image of each. Threads may share it.
+    void gather(const Vec2& point, double radius, std::vector<std::uint32_t>& elements) const;
 
     /// Whether no element's position is nearer than `distance` [m].
     bool keeps_distance(const Vec2& position, double distance) const;
@@ -36,7 +40,8 @@ class Placements {
 
   private:
     struct Level {
-        double cell = 0;
+        double cell = 0; // at least as wide as the widest element
+        Vec2 size;       // of a cell: on a torus they divide it evenly
         int width = 0;
         int height = 0;
         std::vector<std::uint32_t> first; // per cell: an element, or nobody
@@ -50,7 +55,7 @@ class Placements {
     double smallest_cell_ = 0;
     std::vector<Level> levels_;
     std::vector<Dart> darts_;
-    std::vector<double> radii_;       // per element: of its circumscribed circle [m]
+    std::vector<double> radii_;       // per element: of its circumscribed circle and margin [m]
     std::vector<std::uint32_t> next_; // per element: the next one in its cell
     std::uint64_t queries_ = 0;
 };

@@ -2,6 +2,7 @@
 #include "scenes/reader/check_value.h"
 
 #include "core/file.h"
+#include "generators/fields/plain_fields.h"
 #include "scenes/reader/words.h"
 
 #include <algorithm>
@@ -37,6 +38,7 @@ class Checker {
         case ParamType::number:
             return scalar();
         case ParamType::text:
+        case ParamType::function:
             return plain<std::string>();
         case ParamType::choice:
             return choice();
@@ -52,6 +54,8 @@ class Checker {
             return range();
         case ParamType::points:
             return points();
+        case ParamType::field:
+            return constant_field();
         default:
             throw std::logic_error(given_.path + ": is no plain value");
         }
@@ -72,12 +76,6 @@ class Checker {
         return spec_.unit == "deg" ? radians(number) : number;
     }
 
-    bool in_range(double number) const {
-        if (spec_.min && (spec_.above_min ? number <= *spec_.min : number < *spec_.min))
-            return false;
-        return !spec_.max || number <= *spec_.max;
-    }
-
     // Notes what is wrong with a number of this parameter: not finite, or out of range.
     bool fine(double number) {
         if (!std::isfinite(number)) {
@@ -85,9 +83,9 @@ class Checker {
                                        : "is infinite; was something divided by zero?");
             return false;
         }
-        if (in_range(number))
+        if (in_range(number, spec_))
             return true;
-        const bool millimetres = spec_.unit == "m" && in_range(number / 1000);
+        const bool millimetres = spec_.unit == "m" && in_range(number / 1000, spec_);
         mistake(fmt::format("{} is out of range; expected {}", in_words(number, spec_.unit),
                             limits_in_words(spec_)),
                 millimetres ? fmt::format("did you mean mm({})?", in_words(number)) : "");
@@ -105,6 +103,13 @@ class Checker {
         if (!number)
             return wrong_type();
         return fine(*number) ? Value(to_internal(*number)) : Value();
+    }
+
+    Value constant_field() { // whose values stay in the unit of scripts
+        const std::optional<double> number = as_number(given_.value);
+        if (!number)
+            return wrong_type();
+        return fine(*number) ? Value(std::make_shared<const ConstantField>(*number)) : Value();
     }
 
     Value integer() {
@@ -234,6 +239,12 @@ class Checker {
 
 } // namespace
 
+bool in_range(double number, const ParamSpec& spec) {
+    if (spec.min && (spec.above_min ? number <= *spec.min : number < *spec.min))
+        return false;
+    return !spec.max || number <= *spec.max;
+}
+
 Value check_value(const Given& given, const ParamSpec& spec, Mistakes& mistakes) {
     return Checker(given, spec, mistakes).check();
 }
@@ -253,6 +264,10 @@ Value default_value(const ParamSpec& spec) {
         return given;
     case ParamType::range:
         return number != nullptr ? Value(Range{*number, *number}) : given;
+    case ParamType::field:
+        if (number != nullptr)
+            return std::make_shared<const ConstantField>(*number);
+        return given;
     default:
         return given;
     }

@@ -15,6 +15,9 @@ struct Given {
     std::string path; // "generator.rocks.radius"
 };
 
+/// Whether a number in the unit of scripts keeps the declared limits.
+bool in_range(double number, const ParamSpec& spec);
+
 /// The value in the program's units, or monostate after noting what is wrong with it. For the types
 /// that stand for themselves, not for meshes, records and the like.
 Value check_value(const Given& given, const ParamSpec& spec, Mistakes& mistakes);

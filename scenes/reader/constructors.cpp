@@ -3,6 +3,7 @@
 #include "scenes/reader/sandbox.h"
 
 #include "core/file.h"
+#include "scenes/reader/plugins.h"
 
 #include <charconv>
 #include <cmath>
@@ -103,11 +104,41 @@ int construct(lua_State* state) {
     return 1;
 }
 
+// Upvalues: a constructor, and a function that may change what it made. No C++ object is alive
+// here: errors leave by longjmp.
+int construct_and_finish(lua_State* state) {
+    lua_pushvalue(state, lua_upvalueindex(1));
+    lua_insert(state, 1);
+    lua_call(state, lua_gettop(state) - 1, 1);
+    lua_pushvalue(state, lua_upvalueindex(2));
+    lua_pushvalue(state, 1);
+    lua_call(state, 1, 0);
+    return 1;
+}
+
+// scree_constructor(kind, finish or nil)
 int make_constructor(lua_State* state) {
     luaL_checkstring(state, 1);
-    lua_settop(state, 1);
+    lua_settop(state, 2);
+    lua_pushvalue(state, 1);
     lua_pushcclosure(state, guarded<construct>, 1);
+    if (lua_isnil(state, 2))
+        return 1;
+    lua_pushvalue(state, 2);
+    lua_pushcclosure(state, construct_and_finish, 2);
     return 1;
+}
+
+// Samples along the longer side of a field.function, as declared: usual, least, most.
+int function_samples(lua_State* state) {
+    for (const ParamSpec& spec : tables().field.find("function")->params) {
+        if (spec.name != "resolution")
+            continue;
+        lua_pushinteger(state, std::get<std::int64_t>(spec.fallback));
+        lua_pushnumber(state, spec.min.value());
+        lua_pushnumber(state, spec.max.value());
+    }
+    return 3;
 }
 
 // nearest(prefix, name, {names}) -> "\n  did you mean math.floor?" or ""
@@ -294,6 +325,7 @@ bool read_tag(lua_State* state, int index, Tag& tag) {
 void add_scene_functions(lua_State* state) {
     lua_register(state, "scree_constructor", make_constructor);
     lua_register(state, "scree_nearest", guarded<nearest>);
+    lua_register(state, "scree_samples", function_samples);
     lua_register(state, "arg", guarded<arg>);
     lua_register(state, "include", include);
     lua_register(state, "srgb", guarded<srgb>);

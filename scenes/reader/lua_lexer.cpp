@@ -34,13 +34,20 @@ class Lexer {
             else if (c == '-' && peek(1) == '-')
                 skip_comment();
             else
-                tokens.push_back(token());
+                add(tokens, token());
         }
         return tokens;
     }
 
   private:
     using Type = LuaToken::Type;
+
+    // A keyword after a dot can only be meant as a name.
+    static void add(std::vector<LuaToken>& tokens, LuaToken token) {
+        if (token.type == Type::keyword && !tokens.empty() && tokens.back().is("."))
+            token.type = Type::name;
+        tokens.push_back(token);
+    }
 
     char peek(std::size_t ahead = 0) const {
         return at_ + ahead < source_.size() ? source_[at_ + ahead] : '\0';

@@ -87,6 +87,8 @@ Value Maker::value(const Given& given, const ParamSpec& spec) {
     case ParamType::region:
     case ParamType::shape:
         return shape(given, spec);
+    case ParamType::field:
+        return field(given, spec);
     case ParamType::record:
         return record(given, spec);
     case ParamType::list:
@@ -144,7 +146,7 @@ std::shared_ptr<const T> Maker::shared(Made<std::shared_ptr<const T>>& made,
     if (known != made.end())
         return known->second;
     std::shared_ptr<const T> out;
-    if constexpr (std::is_same_v<T, Procedural>) {
+    if constexpr (std::is_abstract_v<T>) {
         out = make<std::shared_ptr<const T>>(table, given).value_or(nullptr);
     } else {
         if (std::optional<T> value = make<T>(table, given))
@@ -164,6 +166,26 @@ Value Maker::shape(const Given& given, const ParamSpec& spec) {
         return made == nullptr ? Value() : Value(made);
     }
     return wrong_kind(given, spec);
+}
+
+Value Maker::field(const Given& given, const ParamSpec& spec) {
+    if (family_of(given.value) == "field") {
+        const auto made = shared(fields_, tables().field, given);
+        if (made == nullptr)
+            return {};
+        // Any angle is as good as another; other values must be in range wherever one looks.
+        constexpr double everywhere = 1e9;
+        const Range range = made->over(Box2(Vec2(-everywhere), Vec2(everywhere)));
+        if (made->period() == 0 && !(in_range(range.low, spec) && in_range(range.high, spec))) {
+            mistakes_.add(given.where, given.path,
+                          fmt::format("this {} has values from {} to {}; expected {}",
+                                      given.value.kind, range.low, in_words(range.high, spec.unit),
+                                      limits_in_words(spec)));
+            return {};
+        }
+        return made;
+    }
+    return check_value(given, spec, mistakes_);
 }
 
 Value Maker::record(const Given& given, const ParamSpec& spec) {

@@ -43,6 +43,7 @@ class Maker {
     Value texture(const Given& given, const ParamSpec& spec);
     Value material(const Given& given);
     Value shape(const Given& given, const ParamSpec& spec);
+    Value field(const Given& given, const ParamSpec& spec);
     Value record(const Given& given, const ParamSpec& spec);
     Value records(const Given& given, const ParamSpec& spec);
     Value absent(const Description& table, const std::string& path, const ParamSpec& spec);
@@ -56,6 +57,7 @@ class Maker {
     std::vector<Material> materials_{Material(Matte{})};
     Made<std::shared_ptr<const Mesh>> meshes_;
     Made<std::shared_ptr<const Region>> regions_;
+    Made<std::shared_ptr<const Field>> fields_;
     Made<std::shared_ptr<const Procedural>> procedurals_;
     Made<MaterialId> material_ids_;
 };

@@ -81,6 +81,7 @@ std::vector<PluginRow> all_plugins() {
     add_rows(all.material, rows);
     add_rows(all.mesh, rows);
     add_rows(all.region, rows);
+    add_rows(all.field, rows);
     add_rows(all.generator, rows);
     add_rows(all.procedural, rows);
     return rows;

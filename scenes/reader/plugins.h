@@ -13,6 +13,7 @@ namespace scree {
 struct Tables {
     Registry<MakeMesh> mesh{"mesh"}; // components and mesh.file
     Registry<MakeRegion> region = region_table();
+    Registry<MakeField> field = field_table();
     Registry<Bake> generator = generator_table();
     Registry<MakeProcedural> procedural = procedural_table();
     Registry<MakeMaterial> material = material_table();

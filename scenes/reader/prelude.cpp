@@ -7,10 +7,12 @@ namespace scree {
 
 const std::string_view prelude_source = R"lua(
 local constructor, nearest = scree_constructor, scree_nearest
+local usual_samples, least_samples, most_samples = scree_samples()
 local type, next, rawget, rawset, rawlen, error = type, next, rawget, rawset, rawlen, error
 local getmetatable, setmetatable, tostring, select = getmetatable, setmetatable, tostring, select
 local integer_type, random_seed = math.type, math.randomseed
 local format, match, gmatch, unpack = string.format, string.match, string.gmatch, table.unpack
+local concat, floor = table.concat, math.floor
 
 -- An order of keys that is the same every run. Distinct keys only, so any sort will do.
 local rank = { number = 1, string = 2, boolean = 3 }
@@ -168,6 +170,58 @@ function _G.setmetatable(of, meta)
   return setmetatable(of, meta)
 end
 
+-- The function of a field.function becomes the text of its samples: "columns rows" and the values,
+-- from -x to +x and from -z to +z. Whatever cannot be sampled is left for the checks of all
+-- parameters, which say why.
+local function sampled(value, x, z)
+  local number = value(x, z)
+  local wrong
+  if type(number) ~= "number" then
+    wrong = type(number) == "nil" and "nothing" or "a " .. type(number)
+  elseif number ~= number then
+    wrong = "what is not a number (was zero divided by zero?)"
+  elseif number < -1e9 or number > 1e9 then
+    wrong = format("%.6g, which is too large", number)
+  else
+    return format("%.7g", number)
+  end
+  error(format("field.function.value: gives %s at x = %.6g, z = %.6g; expected a number",
+               wrong, x, z), 0)
+end
+
+local function sample(field)
+  local value, resolution = rawget(field, "value"), rawget(field, "resolution") or usual_samples
+  if type(value) ~= "function" then return end
+  field.value = ""
+  local function positive(name)
+    local number = rawget(field, name)
+    return type(number) == "number" and number > 0 and number < 1e9 and number
+  end
+  local width, depth = positive("width"), positive("depth")
+  local centre = rawget(field, "centre") or { 0, 0 }
+  local fine = width and depth and type(centre) == "table" and type(centre[1]) == "number" and
+               type(centre[2]) == "number" and type(resolution) == "number" and
+               resolution >= least_samples and resolution <= most_samples
+  if not fine then return end
+  local function count(length)
+    local share = floor(resolution * length / (width > depth and width or depth) + 0.5)
+    return share > 2 and floor(share) or 2
+  end
+  local columns, rows, torus = count(width), count(depth), rawget(field, "torus") == true
+  local function place(i, samples, length)
+    return torus and ((i + 0.5) / samples - 0.5) * length or (i / (samples - 1) - 0.5) * length
+  end
+  local lines = { format("%d %d", columns, rows) }
+  for row = 0, rows - 1 do
+    local line, z = {}, centre[2] + place(row, rows, depth)
+    for column = 0, columns - 1 do
+      line[column + 1] = sampled(value, centre[1] + place(column, columns, width), z)
+    end
+    lines[row + 2] = concat(line, " ")
+  end
+  field.value = concat(lines, " ")
+end
+
 -- Constructors: any name of a family, so that a misspelt one is reported with all other mistakes.
 for _, family in next, { "mesh", "curve", "region", "field", "generator", "procedural", "material",
                          "light", "camera" } do
@@ -176,7 +230,10 @@ for _, family in next, { "mesh", "curve", "region", "field", "generator", "proce
       if type(name) ~= "string" then
         error(family .. " is a family; write " .. family .. ".name { ... }", 0)
       end
-      local make = constructor(family .. "." .. name)
+      -- So the loader spells field.function: Lua itself takes no keyword for a name.
+      if family == "field" and name == "Function" then name = "function" end
+      local kind = family .. "." .. name
+      local make = constructor(kind, kind == "field.function" and sample or nil)
       rawset(made, name, make)
       return make
     end,
@@ -198,7 +255,7 @@ for _, name in next, forbidden do
   is_forbidden[name] = true
 end
 string.dump = nil
-scree_constructor, scree_nearest = nil, nil
+scree_constructor, scree_nearest, scree_samples = nil, nil, nil
 
 local function strict(library, prefix)
   setmetatable(library, {

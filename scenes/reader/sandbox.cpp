@@ -3,6 +3,7 @@
 
 #include "core/file.h"
 #include "scenes/reader/json.h"
+#include "scenes/reader/lua_lexer.h"
 
 #include <algorithm>
 #include <clocale>
@@ -139,6 +140,16 @@ int add_place(lua_State* state) {
     return 1;
 }
 
+// `function` is no name for Lua, so field.function reaches it as field.Function (see prelude.cpp).
+std::string with_lua_names(const std::string& source) {
+    std::string out = source;
+    const std::vector<LuaToken> tokens = lex_lua(source);
+    for (std::size_t i = 2; i < tokens.size(); ++i)
+        if (tokens[i].text == "function" && tokens[i - 1].is(".") && tokens[i - 2].text == "field")
+            out[static_cast<std::size_t>(tokens[i].text.data() - source.data())] = 'F';
+    return out;
+}
+
 std::string mistakes_json(const std::vector<Diagnostic>& diagnostics) {
     nlohmann::json list = nlohmann::json::array();
     for (const Diagnostic& d : diagnostics)
@@ -211,7 +222,8 @@ void Sandbox::load(lua_State* state, const std::string& path) {
     const int index = static_cast<int>(files_.size());
     files_.push_back(path);
     channel_.send(ScriptMessage::file, path);
-    std::string_view source = sources_.back();
+    const std::string compilable = with_lua_names(sources_.back());
+    std::string_view source = compilable;
     if (source.starts_with("#")) // as lua itself does, so that #! works
         source.remove_prefix(std::min(source.find('\n'), source.size()));
     const std::string name = fmt::format("@#{}", index);

@@ -96,6 +96,10 @@ std::string type_in_words(const ParamSpec& spec) {
         return "a mesh.*";
     case ParamType::region:
         return "a region.*";
+    case ParamType::field:
+        return "a field.* or a number";
+    case ParamType::function:
+        return "a function(x, z)";
     case ParamType::shape:
         return "a mesh.* or region.*";
     case ParamType::material:

@@ -119,7 +119,7 @@ LayoutProblem problem_with(std::vector<double> weights, Selection selection) {
 TEST(Selection, CyclicTakesEachInTurn) {
     const LayoutProblem problem = problem_with({1, 1, 1}, Selection::cyclic);
     for (std::uint64_t trial = 0; trial < 12; ++trial)
-        EXPECT_EQ(throw_dart(problem, trial).component, trial % 3);
+        EXPECT_EQ(throw_dart(problem, trial)->component, trial % 3);
 }
 
 TEST(Selection, WeightedFollowsTheWeights) {
@@ -128,7 +128,7 @@ TEST(Selection, WeightedFollowsTheWeights) {
     std::vector<double> counts(3);
     constexpr int trials = 40000;
     for (std::uint64_t trial = 0; trial < trials; ++trial)
-        ++counts[throw_dart(problem, trial).component];
+        ++counts[throw_dart(problem, trial)->component];
     double chi2 = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const double expected = trials * weights[i] / 8;
@@ -142,7 +142,7 @@ TEST(Selection, DartsAreUniformOverTheDomain) {
     std::vector<double> counts(24);
     constexpr int trials = 24000;
     for (std::uint64_t trial = 0; trial < trials; ++trial) {
-        const Vec2 p = throw_dart(problem, trial).pose.position + Vec2(1.5, 1);
+        const Vec2 p = throw_dart(problem, trial)->pose.position + Vec2(1.5, 1);
         ++counts[std::size_t(p.y * 2) * 6 + std::size_t(p.x * 2)];
     }
     double chi2 = 0;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands.h"
+#include "app/load.h"
+#include "app/run_stats.h"
+#include "core/file.h"
+#include "core/parallel.h"
+#include "core/version.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace scree {
+
+namespace {
+
+struct HeightOptions {
+    SceneOptions scene;
+    std::string output;
+    std::string stats;
+    int index = 0; // 1-based; 0: the only one
+    bool vector = false;
+};
+
+/// The aggregate whose map is asked for. Throws Error when there is none, or not that many, or
+/// several and none was named.
+const Aggregate& chosen(const std::vector<Aggregate>& aggregates, const HeightOptions& options) {
+    std::vector<const Aggregate*> maps;
+    for (const Aggregate& aggregate : aggregates)
+        if (aggregate.height)
+            maps.push_back(&aggregate);
+    if (maps.empty())
+        throw Error(Diagnostic{{options.scene.path, 0},
+                               "scene.objects",
+                               "no generator has a height map; expected a generator.leather",
+                               ""});
+    const auto count = static_cast<int>(maps.size());
+    if (options.index == 0 && count > 1)
+        throw Error::usage(
+            fmt::format("{} has {} height maps; choose one", options.scene.path, count),
+            "for example --index 1, counted in the order of scene.objects");
+    if (options.index > count)
+        throw Error::usage(fmt::format("--index {}: {} has {} height map{}", options.index,
+                                       options.scene.path, count, count == 1 ? "" : "s"));
+    return *maps[std::size_t(options.index == 0 ? 0 : options.index - 1)];
+}
+
+int write_map(const HeightOptions& options) {
+    if (extension(options.output) != "exr")
+        throw Error::usage(options.output + ": expected a name that ends in .exr");
+    check_writable(options.output);
+    if (!options.stats.empty())
+        check_writable(options.stats);
+
+    const ThreadLimit threads(options.scene.threads);
+    Console console(options.scene.quiet);
+    Cancel cancel;
+    const InterruptGuard guard(cancel);
+    Stages stages;
+    const Scene scene = load_scene(options.scene, stages);
+    const std::vector<Aggregate> aggregates =
+        bake_scene(scene, options.scene, stages, console, cancel);
+    const Aggregate& aggregate = chosen(aggregates, options);
+
+    stages.begin("write");
+    const HeightField map =
+        options.vector ? aggregate.height->as_vector() : aggregate.height->as_height();
+    write_height(options.output, map,
+                 {{"scree:version", SCREE_VERSION},
+                  {"scree:scene", scene.name},
+                  {"scree:hash", fmt::format("{:016x}", scene.hash)},
+                  {"scree:generator", aggregate.generator},
+                  {"scree:seed", std::to_string(aggregate.seed)},
+                  {"scree:settings", scene.settings}});
+    stages.end();
+    console.say(fmt::format("wrote {}: {} x {} pixels over {:.4g} x {:.4g} mm", options.output,
+                            map.image.width, map.image.height, map.size.x * 1e3, map.size.y * 1e3));
+    if (!options.stats.empty())
+        write_file(options.stats, run_stats_json(stages, aggregates, nullptr));
+    return 0;
+}
+
+} // namespace
+
+void add_height_command(CLI::App& app, Run& run) {
+    auto options = std::make_shared<HeightOptions>();
+    CLI::App* command = app.add_subcommand(
+        "height", "Write the height map that a scene's generator makes, as a 32-bit float .exr.");
+    options->scene.add_to(*command);
+    command->add_option("-o,--output", options->output, "File to write: .exr, in metres")
+        ->required();
+    command->add_flag("--vector", options->vector,
+                      "Write the offset along x, y and z as R, G and B in place of the height");
+    command
+        ->add_option("--index", options->index,
+                     "Which map, counted from 1, when several generators make one")
+        ->check(CLI::Range(1, 1 << 20));
+    command->add_option("--stats", options->stats, "Write counts, times and memory as JSON");
+    command->footer("Example:\n  scree height scenes/leather.lua -o leather.exr --index 2");
+    command->callback([options, &run] { run = [options] { return write_map(*options); }; });
+}
+
+} // namespace scree

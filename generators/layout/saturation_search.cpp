@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/layout/saturation_search.h"
+
+#include "generators/layout/overlap.h"
+
+#include <algorithm>
+
+namespace scree {
+
+namespace {
+
+constexpr double whole_turn = 2 * pi;
+
+/// The difference of two angles, in [-pi, pi].
+double angle_between(double a, double b) { return std::remainder(a - b, whole_turn); }
+
+} // namespace
+
+void SearchCounts::add(const SearchCounts& other) {
+    cells += other.cells;
+    darts += other.darts;
+    queries += other.queries;
+    undecided += other.undecided;
+}
+
+SaturationSearch::SaturationSearch(const SearchProblem& problem, const Placements& others,
+                                   Random random)
+    : problem_(problem), layout_(problem.layout), others_(others), random_(random) {}
+
+bool SaturationSearch::try_dart(const Box2& box, std::uint64_t trial) {
+    ++counts_.darts;
+    const Vec2 position(random_.uniform(box.min.x, box.max.x),
+                        random_.uniform(box.min.y, box.max.y));
+    const std::optional<Dart> dart = throw_dart_at(layout_, trial, position, random_);
+    if (!dart || !others_.is_free(*dart, counts_.queries))
+        return false;
+    const CollisionShape& shape = layout_.shapes[dart->component];
+    for (const Dart& other : placed_) {
+        const CollisionShape& other_shape = layout_.shapes[other.component];
+        const Vec2 offset = layout_.domain.nearest_image(position - other.pose.position);
+        const double clearance = problem_.clearance + dart->margin + other.margin;
+        const double reach = shape.radius() * dart->pose.scale +
+                             other_shape.radius() * other.pose.scale + clearance;
+        if (offset.length2() > reach * reach)
+            continue;
+        ++counts_.queries;
+        if (overlap(shape, dart->pose, other_shape, other.pose, offset, clearance))
+            return false;
+    }
+    placed_.push_back(*dart);
+    return true;
+}
+
+void SaturationSearch::add_neighbour(const Dart& dart, const Vec2& offset) {
+    neighbours_.push_back({dart, offset});
+    const std::size_t first = fixed_.size();
+    for (const ConvexPiece& piece : problem_.shapes[dart.component].pieces)
+        fixed_.add(piece, dart.pose.cosine, dart.pose.sine, dart.pose.scale, offset);
+    pieces_of_.emplace_back(first, fixed_.size());
+}
+
+void SaturationSearch::gather(const Box2& box, double reach) {
+    neighbours_.clear();
+    pieces_of_.clear();
+    fixed_.clear();
+    found_.clear();
+    centre_ = box.center();
+    const double radius = box.size().length() / 2 + reach;
+    others_.gather(centre_, radius, found_);
+    const auto add = [&](const Dart& dart) {
+        add_neighbour(dart, layout_.domain.nearest_image(dart.pose.position - centre_));
+    };
+    for (const std::uint32_t i : found_)
+        add(others_.darts()[i]);
+    for (const Dart& dart : placed_) {
+        const Vec2 offset = layout_.domain.nearest_image(dart.pose.position - centre_);
+        const double sum =
+            radius + layout_.shapes[dart.component].radius() * dart.pose.scale + dart.margin;
+        if (offset.length2() <= sum * sum)
+            add(dart);
+    }
+    const std::size_t first = fixed_.size();
+    for (const ConvexPiece& piece : problem_.outside)
+        if (piece.is_near(centre_, radius))
+            fixed_.add(piece, 1, 0, 1, -centre_);
+    outside_ = {first, fixed_.size()};
+}
+
+void SaturationSearch::add_pairs(std::pair<std::size_t, std::size_t> pieces, double margin) {
+    for (std::size_t b = pieces.first; b < pieces.second; ++b)
+        for (std::uint32_t a = 0; a < problem_.shapes[component_].pieces.size(); ++a)
+            pairs_.push_back({a, static_cast<std::uint32_t>(b), static_cast<float>(margin)});
+}
+
+void SaturationSearch::saturate(const Box2& box, std::uint32_t component) {
+    component_ = component;
+    const SearchShape& shape = problem_.shapes[component];
+    const Range scales = layout_.scale_over(box);
+    const Range range = {layout_.scale.low, shape.smaller_is_easier ? layout_.scale.low
+                                                                    : layout_.scale.high};
+    Cell cell{.low = scales.low * range.low, .high = scales.high * range.high};
+    const double margin = layout_.margins.empty() ? 0
+                                                  : layout_.margins[component] * scales.high *
+                                                        layout_.scale.high *
+                                                        layout_.density_over(box).high;
+    // Darts may be larger than what the search is about.
+    gather(box, layout_.shapes[component].radius() * scales.high * layout_.scale.high + margin +
+                    problem_.epsilon);
+    const Range direction = layout_.direction_over(box);
+    const double low = direction.low + layout_.rotation.low;
+    const double high = direction.high + layout_.rotation.high;
+    is_turned_freely_ = layout_.rotation.high - layout_.rotation.low >= whole_turn - 1e-12;
+    const double width = is_turned_freely_ ? shape.turn_period : std::min(high - low, whole_turn);
+    cell.angle = low + width / 2;
+    cell.half_angle = width / 2;
+
+    pairs_.clear();
+    fragments_.clear();
+    add_pairs(outside_, 0);
+    for (std::size_t i = 0; i < neighbours_.size(); ++i)
+        add_pairs(pieces_of_[i], neighbours_[i].dart.margin);
+    cell.neighbours = neighbours_.size();
+    const Vec2 half = box.size() / 2.0;
+    const Fragment whole = box_fragment({Vec2f(-half), Vec2f(half)});
+    if (layout_.domain.inside() == Inside::centre) {
+        for (const ConvexPiece& piece : problem_.inside) {
+            if (!piece.is_near(centre_, half.length()))
+                continue;
+            Fragment part = whole;
+            for (std::size_t i = 0; i < piece.normals.size() && part.count >= 3; ++i) {
+                const Vec2f normal(piece.normals[i]);
+                part = part_of(part, normal.x, normal.y,
+                               static_cast<float>(piece.offsets[i] -
+                                                  piece.normals[i].dot(centre_)));
+            }
+            if (part.count >= 3)
+                fragments_.push_back(part);
+        }
+    } else {
+        fragments_.push_back(whole);
+    }
+    cell.fragments = fragments_.size();
+    examine(cell, 0, 0);
+}
+
+void SaturationSearch::examine(Cell cell, std::size_t parent_pair, std::size_t parent_neighbours) {
+    ++counts_.cells;
+    const std::size_t first_fragment = fragments_.size() - cell.fragments;
+    cell.box.makeEmpty();
+    for (std::size_t i = first_fragment; i < fragments_.size(); ++i)
+        cell.box.extendBy(fragments_[i].box());
+    cell.first_pair = pairs_.size();
+    if (cell.fragments > 0 && is_allowed(cell)) {
+        turn_pieces(cell);
+        take_pairs(cell, parent_pair, parent_neighbours);
+        cell.neighbours = neighbours_.size();
+        if (!is_covered(cell, first_fragment, cell.first_pair, parent_pair)) {
+            const Extent wide = extent(cell);
+            bool is_open = true;
+            while (is_open && wide.turn < problem_.dart_extent && throw_into(first_fragment, cell))
+                is_open = !cover_new(cell, first_fragment);
+            if (is_open) {
+                if (wide.turn + wide.scale + wide.fields <= problem_.smallest_extent ||
+                    cell.depth > deepest)
+                    finish(cell, first_fragment);
+                else
+                    split(cell, first_fragment, wide);
+            }
+        }
+    }
+    pairs_.resize(cell.first_pair);
+    fragments_.resize(first_fragment);
+}
+
+/// Whether some place in the cell's box has an angle and a scale of the cell; narrows the scales.
+bool SaturationSearch::is_allowed(Cell& cell) const {
+    const LayoutFields& fields = layout_.fields;
+    if (!fields.direction && !fields.scale && !fields.classes)
+        return true;
+    const Box2 box = world(cell.box);
+    if (fields.classes) {
+        const Range classes = fields.classes->over(box);
+        const auto own = static_cast<double>(layout_.classes[component_]);
+        if (classes.low > own + 0.5 || classes.high < own - 0.5)
+            return false;
+    }
+    if (fields.direction && !is_turned_freely_) {
+        const Range direction = layout_.direction_over(box);
+        const double low = direction.low + layout_.rotation.low;
+        const double high = direction.high + layout_.rotation.high;
+        if (std::abs(angle_between(cell.angle, (low + high) / 2)) >
+            cell.half_angle + (high - low) / 2 + 1e-9)
+            return false;
+    }
+    if (fields.scale) {
+        const Range factor = layout_.scale_over(box);
+        const double high = problem_.shapes[component_].smaller_is_easier ? layout_.scale.low
+                                                                          : layout_.scale.high;
+        cell.low = std::max(cell.low, factor.low * layout_.scale.low);
+        cell.high = std::min(cell.high, factor.high * high);
+    }
+    return cell.low <= cell.high;
+}
+
+void SaturationSearch::turn_pieces(const Cell& cell) {
+    moving_.clear();
+    const double cosine = std::cos(cell.angle), sine = std::sin(cell.angle);
+    for (const ConvexPiece& piece : problem_.shapes[component_].pieces)
+        moving_.add(piece, cosine, sine, 1, {0, 0});
+}
+
+/// Lists the pairs that may matter in the cell: of its parent's, and of what was placed since.
+void SaturationSearch::take_pairs(const Cell& cell, std::size_t parent_pair,
+                                  std::size_t parent_neighbours) {
+    const auto high = static_cast<float>(cell.high), low = static_cast<float>(cell.low);
+    const auto half_angle = static_cast<float>(std::min(cell.half_angle, pi));
+    const auto own = static_cast<float>(problem_.epsilon + problem_.largest_margin);
+    const auto may_matter = [&](const Pair& pair) {
+        const PiecePool::Piece& a = moving_[pair.moving];
+        const PiecePool::Piece& b = fixed_[pair.fixed];
+        const Vec2f target = b.centre - a.centre * ((low + high) / 2);
+        const float slack = a.centre.length() * (high * half_angle + (high - low) / 2);
+        const float reach = a.radius * high + b.radius + slack + own + pair.margin;
+        const float dx = std::max({cell.box.min.x - target.x, target.x - cell.box.max.x, 0.0F});
+        const float dy = std::max({cell.box.min.y - target.y, target.y - cell.box.max.y, 0.0F});
+        return dx * dx + dy * dy < reach * reach;
+    };
+    for (std::size_t i = parent_pair; i < cell.first_pair; ++i)
+        if (may_matter(pairs_[i]))
+            pairs_.push_back(Pair(pairs_[i]));
+    for (std::size_t n = parent_neighbours; n < neighbours_.size(); ++n) {
+        const std::size_t from = pairs_.size();
+        add_pairs(pieces_of_[n], neighbours_[n].dart.margin);
+        pairs_.erase(std::remove_if(pairs_.begin() + std::ptrdiff_t(from), pairs_.end(),
+                                    [&](const Pair& pair) { return !may_matter(pair); }),
+                     pairs_.end());
+    }
+}
+
+/// Takes the no-fit polygons of the pairs from `first_pair` on from the cell's fragments; whether
+/// nothing is left.
+bool SaturationSearch::is_covered(Cell& cell, std::size_t first_fragment, std::size_t first_pair,
+                                  std::size_t parent_pair) {
+    if (cell.half_angle > widest_half_angle)
+        return false;
+    const TurnInterval turn{static_cast<float>(std::cos(cell.half_angle)),
+                            static_cast<float>(std::sin(cell.half_angle)),
+                            static_cast<float>(cell.low), static_cast<float>(cell.high)};
+    double margin = 0;
+    if (!layout_.margins.empty())
+        margin = layout_.margins[component_] * cell.low * layout_.density_over(world(cell.box)).low;
+    const double bare = problem_.epsilon - problem_.safety;
+    std::size_t useful = first_pair;
+    for (std::size_t p = first_pair; p < pairs_.size(); ++p) {
+        const Pair pair = pairs_[p];
+        const PiecePool::Piece& a = moving_[pair.moving];
+        const PiecePool::Piece& b = fixed_[pair.fixed];
+        // Neighbouring normals of the sum are no farther apart than those of either.
+        const float blunt = std::max(a.corner_cosine, b.corner_cosine);
+        const float clearance = blunt * (static_cast<float>(bare + margin) + pair.margin);
+        no_fit(moving_, a, turn, fixed_, b, clearance, no_fit_);
+        ++counts_.no_fits;
+        rest_.clear();
+        bool any = false;
+        for (std::size_t i = first_fragment; i < fragments_.size(); ++i)
+            any = subtract(fragments_[i], no_fit_, problem_.sliver, rest_) || any;
+        if (!any)
+            continue;
+        fragments_.resize(first_fragment);
+        fragments_.insert(fragments_.end(), rest_.begin(), rest_.end());
+        if (rest_.empty()) {
+            // What covers this cell may well cover its siblings.
+            for (std::size_t i = parent_pair; i < cell.first_pair; ++i) {
+                if (pairs_[i].moving == pair.moving && pairs_[i].fixed == pair.fixed) {
+                    std::swap(pairs_[i], pairs_[parent_pair]);
+                    break;
+                }
+            }
+            cell.fragments = 0;
+            return true;
+        }
+        std::swap(pairs_[p], pairs_[useful++]);
+    }
+    cell.fragments = fragments_.size() - first_fragment;
+    cell.box.makeEmpty();
+    for (std::size_t i = first_fragment; i < fragments_.size(); ++i)
+        cell.box.extendBy(fragments_[i].box());
+    return false;
+}
+
+/// Takes away what the elements placed since the pairs were listed cover.
+bool SaturationSearch::cover_new(Cell& cell, std::size_t first_fragment) {
+    const std::size_t from = pairs_.size();
+    for (std::size_t n = cell.neighbours; n < neighbours_.size(); ++n)
+        add_pairs(pieces_of_[n], neighbours_[n].dart.margin);
+    cell.neighbours = neighbours_.size();
+    return is_covered(cell, first_fragment, from, cell.first_pair);
+}
+
+SaturationSearch::Extent SaturationSearch::extent(const Cell& cell) const {
+    const double radius = problem_.shapes[component_].turn_radius;
+    const Imath::V2f size = cell.box.size();
+    Extent result{radius * cell.high * cell.half_angle, radius * (cell.high - cell.low) / 2,
+                  0.5 * std::max(size.x, size.y), 0};
+    const LayoutFields& fields = layout_.fields;
+    if (fields.direction || fields.scale || fields.density || fields.classes) {
+        const Box2 box = world(cell.box);
+        const auto width = [](const Range& range) { return range.high - range.low; };
+        if (!is_turned_freely_)
+            result.fields += radius * cell.high * std::min(pi, width(layout_.direction_over(box)));
+        const Range scales = layout_.scale_over(box);
+        result.fields += radius * layout_.scale.high * width(scales);
+        if (!layout_.margins.empty()) {
+            const Range density = layout_.density_over(box);
+            result.fields += layout_.margins[component_] * layout_.scale.high *
+                             (scales.high * density.high - scales.low * density.low);
+        }
+        if (fields.classes && width(fields.classes->over(box)) > 0)
+            result.fields += result.place;
+    }
+    return result;
+}
+
+Box2 SaturationSearch::world(const Imath::Box2f& box) const {
+    return {centre_ + Vec2(box.min), centre_ + Vec2(box.max)};
+}
+
+bool SaturationSearch::is_free(const Dart& dart, const Vec2& offset) {
+    const CollisionShape& shape = layout_.shapes[dart.component];
+    const double radius = shape.radius() * dart.pose.scale;
+    for (const Neighbour& other : neighbours_) {
+        const CollisionShape& other_shape = layout_.shapes[other.dart.component];
+        const Vec2 between = offset - other.offset;
+        const double clearance = problem_.clearance + dart.margin + other.dart.margin;
+        const double reach = radius + other_shape.radius() * other.dart.pose.scale + clearance;
+        if (between.length2() > reach * reach)
+            continue;
+        ++counts_.queries;
+        if (overlap(shape, dart.pose, other_shape, other.dart.pose, between, clearance))
+            return false;
+    }
+    return layout_.domain.accepts(shape, dart.pose, problem_.clearance + dart.margin);
+}
+
+/// Places the element at a point of the cell, at the allowed angle and scale nearest to these, if
+/// it is free there.
+SaturationSearch::Trial SaturationSearch::try_at(const Vec2f& point, double angle, double scale) {
+    ++counts_.darts;
+    const Vec2 offset(point);
+    const Vec2 position = layout_.domain.wrapped(centre_ + offset);
+    if (!layout_.has_class(component_, position))
+        return Trial::not_allowed;
+    const LayoutFields& fields = layout_.fields;
+    double turn = angle - (fields.direction ? radians(fields.direction->at(position)) : 0);
+    const Range& range = layout_.rotation;
+    if (is_turned_freely_) {
+        // A region that looks the same after a part of a turn may belong to a component that does
+        // not.
+        const double period = problem_.shapes[component_].turn_period;
+        const auto times = static_cast<std::uint32_t>(std::lround(whole_turn / period));
+        turn += period * random_.below(times);
+        turn = range.low + std::fmod(turn - range.low, whole_turn);
+        turn = turn < range.low ? turn + whole_turn : turn;
+    } else {
+        const double middle = (range.low + range.high) / 2;
+        turn = std::clamp(middle + angle_between(turn, middle), range.low, range.high);
+    }
+    const double factor = fields.scale ? fields.scale->at(position) : 1;
+    const double own = std::clamp(scale / factor, layout_.scale.low, layout_.scale.high);
+    const Dart dart = layout_.dart(component_, position, turn, own);
+    if (!is_free(dart, offset))
+        return Trial::taken;
+    placed_.push_back(dart);
+    add_neighbour(dart, offset);
+    return Trial::placed;
+}
+
+bool SaturationSearch::throw_into(std::size_t first_fragment, const Cell& cell) {
+    float sum = 0;
+    for (std::size_t i = first_fragment; i < fragments_.size(); ++i)
+        sum += fragments_[i].area();
+    float left = random_.uniform_float() * sum;
+    std::size_t chosen = first_fragment;
+    for (; chosen + 1 < fragments_.size(); ++chosen) {
+        left -= fragments_[chosen].area();
+        if (left < 0)
+            break;
+    }
+    const float u = random_.uniform_float(), v = random_.uniform_float();
+    const Vec2f point = fragments_[chosen].at(u, v);
+    const double angle = cell.angle + cell.half_angle * random_.uniform(-1, 1);
+    const double scale = random_.uniform(cell.low, cell.high);
+    if (problem_.shapes[component_].smaller_is_easier && layout_.scale.high > layout_.scale.low) {
+        const double larger = random_.uniform(scale, scale / layout_.scale.low * layout_.scale.high);
+        if (try_at(point, angle, larger) == Trial::placed)
+            return true;
+    }
+    return try_at(point, angle, scale) == Trial::placed;
+}
+
+/// No motion in the cell exceeds the clearance: what is left of it is free at its middle.
+void SaturationSearch::finish(Cell& cell, std::size_t first_fragment) {
+    while (fragments_.size() > first_fragment) {
+        const Fragment fragment = fragments_.back();
+        const double scale = (cell.low + cell.high) / 2;
+        Trial trial = try_at(fragment.centroid(), cell.angle, scale);
+        bool is_taken = trial == Trial::taken;
+        for (int i = 0; i < 8 && trial != Trial::placed && has_fields(); ++i) {
+            const float u = random_.uniform_float(), v = random_.uniform_float();
+            trial = try_at(fragment.at(u, v), cell.angle, scale);
+            is_taken = is_taken || trial == Trial::taken;
+        }
+        if (trial != Trial::placed) {
+            counts_.undecided += is_taken ? 1 : 0;
+            fragments_.pop_back();
+        } else if (cover_new(cell, first_fragment)) {
+            return;
+        }
+    }
+}
+
+void SaturationSearch::split(const Cell& cell, std::size_t first_fragment, const Extent& wide) {
+    const std::size_t end = fragments_.size();
+    const bool first_half = (random_.bits() & 1U) != 0;
+    // A place is known exactly: only its neighbours become fewer as it shrinks, so a wide one is
+    // split late; but what depends on fields must be split in place.
+    const double place = std::max(wide.place / problem_.place_share,
+                                  wide.fields > 0.5 * problem_.smallest_extent ? wide.fields : 0);
+    const bool by_place = place > std::max(wide.turn, wide.scale);
+    for (const bool low_half : {first_half, !first_half}) {
+        Cell child = cell;
+        ++child.depth;
+        if (by_place) {
+            const Vec2f size = cell.box.size(), middle = cell.box.center();
+            const float side = low_half ? 1.0F : -1.0F;
+            const bool along_x = size.x > size.y;
+            const float nx = along_x ? side : 0, ny = along_x ? 0 : side;
+            const float offset = nx * middle.x + ny * middle.y;
+            for (std::size_t i = first_fragment; i < end; ++i) {
+                const Fragment part = part_of(Fragment(fragments_[i]), nx, ny, offset);
+                if (part.count >= 3)
+                    fragments_.push_back(part);
+            }
+        } else {
+            for (std::size_t i = first_fragment; i < end; ++i)
+                fragments_.push_back(Fragment(fragments_[i]));
+            if (wide.turn >= wide.scale) {
+                child.half_angle /= 2;
+                child.angle += low_half ? -child.half_angle : child.half_angle;
+            } else {
+                const double middle = (cell.low + cell.high) / 2;
+                (low_half ? child.high : child.low) = middle;
+            }
+        }
+        child.fragments = fragments_.size() - end;
+        examine(child, cell.first_pair, cell.neighbours);
+    }
+}
+
+} // namespace scree

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/leather/displaced_surface.h"
+
+#include "core/parallel.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace scree {
+
+namespace {
+
+// Vertices of one place whose normals differ by more lie on a crease, whose edges stay straight.
+constexpr float smooth_cosine = 0.82F; // 35 degrees
+
+/// A vertex's normal for moving it: that of all vertices at its place together.
+struct Place {
+    Vec3 normal{0.0F};
+    bool smooth = true;
+};
+
+Vec3 face_vector(const Mesh& mesh, const Mesh::Triangle& t) {
+    return (mesh.positions[t[1]] - mesh.positions[t[0]])
+        .cross(mesh.positions[t[2]] - mesh.positions[t[0]]);
+}
+
+/// Unit normals weighted by area, one per place.
+std::vector<Vec3> normals_of_places(const Mesh& mesh, const std::vector<std::uint32_t>& place) {
+    std::vector<Vec3> normals(mesh.positions.size(), Vec3(0.0F));
+    for (const Mesh::Triangle& t : mesh.triangles)
+        for (const std::uint32_t v : t)
+            normals[place[v]] += face_vector(mesh, t);
+    for (Vec3& normal : normals)
+        normal = normal.length2() > 0 ? normal.normalized() : Vec3(0, 1, 0);
+    return normals;
+}
+
+/// A mesh whose edges are halved again and again, its seams kept together by their places.
+class Refinement {
+  public:
+    explicit Refinement(const Mesh& mesh) : mesh_(mesh), place_(weld(mesh)) {
+        const std::vector<Vec3> shared = normals_of_places(mesh_, place_);
+        if (mesh_.normals.empty())
+            for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
+                mesh_.normals.push_back(shared[place_[i]]);
+        places_.resize(mesh_.positions.size());
+        for (std::size_t i = 0; i < place_.size(); ++i) {
+            Place& place = places_[place_[i]];
+            place.normal = shared[place_[i]];
+            place.smooth = place.smooth && mesh_.normals[i].dot(place.normal) > smooth_cosine;
+        }
+    }
+
+    /// Halves all edges that are longer than `limit` [m], once.
+    void split(float limit) {
+        middles_.clear();
+        std::vector<Mesh::Triangle> triangles;
+        triangles.reserve(2 * mesh_.triangles.size());
+        for (const Mesh::Triangle& t : mesh_.triangles) {
+            std::array<std::uint32_t, 3> m{};
+            std::array<bool, 3> halved{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+                halved[k] = (mesh_.positions[a] - mesh_.positions[b]).length() > limit;
+                if (halved[k])
+                    m[k] = middle(a, b);
+            }
+            append(triangles, t, m, halved);
+        }
+        mesh_.triangles = std::move(triangles);
+    }
+
+    float longest_edge() const {
+        float longest = 0;
+        for (const Mesh::Triangle& t : mesh_.triangles)
+            for (std::size_t k = 0; k < 3; ++k)
+                longest = std::max(
+                    longest, (mesh_.positions[t[k]] - mesh_.positions[t[(k + 1) % 3]]).length2());
+        return std::sqrt(longest);
+    }
+
+    Mesh& mesh() { return mesh_; }
+
+    /// Moves every place by the mean of what the map says at its vertices, along the normal there.
+    void displace(const HeightField& field, const Vec2& tiles);
+
+  private:
+    static void append(std::vector<Mesh::Triangle>& out, const Mesh::Triangle& t,
+                       const std::array<std::uint32_t, 3>& m, const std::array<bool, 3>& halved) {
+        const int count = halved[0] + halved[1] + halved[2];
+        if (count == 0) {
+            out.push_back(t);
+        } else if (count == 3) {
+            out.insert(
+                out.end(),
+                {{t[0], m[0], m[2]}, {m[0], t[1], m[1]}, {m[2], m[1], t[2]}, {m[0], m[1], m[2]}});
+        } else if (count == 1) {
+            const std::size_t k = halved[0] ? 0 : halved[1] ? 1 : 2;
+            out.insert(out.end(),
+                       {{t[k], m[k], t[(k + 2) % 3]}, {m[k], t[(k + 1) % 3], t[(k + 2) % 3]}});
+        } else { // the corner between the two halved edges, then the rest
+            const std::size_t whole = !halved[0] ? 0 : !halved[1] ? 1 : 2;
+            const std::uint32_t a = t[whole], b = t[(whole + 1) % 3], c = t[(whole + 2) % 3];
+            const std::uint32_t bc = m[(whole + 1) % 3], ca = m[(whole + 2) % 3];
+            out.insert(out.end(), {{a, b, bc}, {a, bc, ca}, {ca, bc, c}});
+        }
+    }
+
+    std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
+        const auto key = [](std::uint32_t i, std::uint32_t j) {
+            return (std::uint64_t{std::min(i, j)} << 32) | std::max(i, j);
+        };
+        const auto [found, is_new] = middles_.try_emplace(key(a, b), 0);
+        if (!is_new)
+            return found->second;
+        const auto index = static_cast<std::uint32_t>(mesh_.positions.size());
+        found->second = index;
+        // Both sides of a seam must come to the same bits: in the order of the places.
+        std::uint32_t p = place_[a], q = place_[b];
+        if (p > q)
+            std::swap(p, q);
+        const Vec3 from = mesh_.positions[p], to = mesh_.positions[q], edge = to - from;
+        Vec3 bulge(0.0F); // of the cubic through both ends, square to their normals
+        if (places_[p].smooth)
+            bulge += places_[p].normal * places_[p].normal.dot(edge);
+        if (places_[q].smooth)
+            bulge -= places_[q].normal * places_[q].normal.dot(edge);
+        const Place between{(places_[p].normal + places_[q].normal).normalized(),
+                            places_[p].smooth || places_[q].smooth};
+        const Vec2f uv = (mesh_.uvs[a] + mesh_.uvs[b]) * 0.5F;
+        const Vec3 normal = (mesh_.normals[a] + mesh_.normals[b]).normalized();
+        mesh_.positions.push_back((from + to) * 0.5F - bulge * 0.125F);
+        mesh_.normals.push_back(normal);
+        mesh_.uvs.push_back(uv);
+        // One place for both sides of a seam, whose vertices differ.
+        const auto [shared, first] =
+            middles_.try_emplace(key(p, q) | (std::uint64_t{1} << 63), index);
+        place_.push_back(first ? index : shared->second);
+        places_.push_back(between);
+        return index;
+    }
+
+    Mesh mesh_;
+    std::vector<std::uint32_t> place_; // of every vertex: the first vertex at the same position
+    std::vector<Place> places_;        // by that vertex
+    std::unordered_map<std::uint64_t, std::uint32_t> middles_;
+};
+
+void Refinement::displace(const HeightField& field, const Vec2& tiles) {
+    const std::size_t count = mesh_.positions.size();
+    // The directions of growing u and v, summed over the triangles round each place.
+    std::vector<Vec3> along_u(count, Vec3(0.0F)), along_v(count, Vec3(0.0F));
+    for (const Mesh::Triangle& t : mesh_.triangles) {
+        const Vec3 e1 = mesh_.positions[t[1]] - mesh_.positions[t[0]];
+        const Vec3 e2 = mesh_.positions[t[2]] - mesh_.positions[t[0]];
+        const Vec2f d1 = mesh_.uvs[t[1]] - mesh_.uvs[t[0]], d2 = mesh_.uvs[t[2]] - mesh_.uvs[t[0]];
+        const float sign = d1.x * d2.y - d1.y * d2.x < 0 ? -1.0F : 1.0F;
+        for (const std::uint32_t v : t) {
+            along_u[place_[v]] += (e1 * d2.y - e2 * d1.y) * sign;
+            along_v[place_[v]] += (e2 * d1.x - e1 * d2.x) * sign;
+        }
+    }
+    for (Vec2f& uv : mesh_.uvs)
+        uv = Vec2f(static_cast<float>(uv.x * tiles.x), static_cast<float>(uv.y * tiles.y));
+    std::vector<Vec3> offsets(count);
+    parallel_for(count, 1024, [&](std::size_t i) {
+        const Vec3 offset = field.offset(Vec2(mesh_.uvs[i]));
+        const std::uint32_t p = place_[i];
+        offsets[i] = places_[p].normal * offset.y;
+        if (along_u[p].length2() > 0 && along_v[p].length2() > 0)
+            offsets[i] += along_u[p].normalized() * offset.x - along_v[p].normalized() * offset.z;
+    });
+    std::vector<Vec3> sums(count, Vec3(0.0F));
+    std::vector<float> shares(count, 0.0F);
+    for (std::size_t i = 0; i < count; ++i) {
+        sums[place_[i]] += offsets[i];
+        shares[place_[i]] += 1;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        mesh_.positions[i] += sums[place_[i]] / shares[place_[i]];
+    const std::vector<Vec3> normals = normals_of_places(mesh_, place_);
+    for (std::size_t i = 0; i < count; ++i)
+        mesh_.normals[i] = normals[place_[i]];
+}
+
+/// How often the tile repeats over the unit square of UVs: the mean length of a unit of u and of v,
+/// weighted by area, in tiles.
+Vec2 tiles_of(const HeightField& field, const Mesh& mesh) {
+    double length_u = 0, length_v = 0, sum = 0;
+    for (const Mesh::Triangle& t : mesh.triangles) {
+        const Vec3 e1 = mesh.positions[t[1]] - mesh.positions[t[0]];
+        const Vec3 e2 = mesh.positions[t[2]] - mesh.positions[t[0]];
+        const Vec2f d1 = mesh.uvs[t[1]] - mesh.uvs[t[0]], d2 = mesh.uvs[t[2]] - mesh.uvs[t[0]];
+        const double twice_area = e1.cross(e2).length();
+        const double turn = std::abs(double(d1.x) * d2.y - double(d1.y) * d2.x);
+        if (!(turn > 1e-12 && twice_area > 0))
+            continue; // a pole, where u means nothing
+        length_u += twice_area * double((e1 * d2.y - e2 * d1.y).length()) / turn;
+        length_v += twice_area * double((e2 * d1.x - e1 * d2.x).length()) / turn;
+        sum += twice_area;
+    }
+    if (!(sum > 0))
+        return {1.0, 1.0};
+    return {std::max(1.0, std::round(length_u / sum / field.size.x)),
+            std::max(1.0, std::round(length_v / sum / field.size.y))};
+}
+
+} // namespace
+
+Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t triangles) {
+    Refinement refined(mesh);
+    const Vec2 tiles = tiles_of(field, mesh);
+    // Halved edges end between half the limit and the limit: triangles of about 0.6 of it.
+    const auto limit =
+        static_cast<float>(1.6 * std::sqrt(4 / std::sqrt(3.0) * area(mesh) / double(triangles)));
+    while (refined.longest_edge() > limit && refined.mesh().triangles.size() < triangles)
+        refined.split(limit);
+    refined.displace(field, tiles);
+    return std::move(refined.mesh());
+}
+
+} // namespace scree

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generators/table.h"
+
+namespace scree {
+
+/// generator.leather: a height map of cristae and sulci that tiles, and a shape displaced by it
+/// (after Sakurai & Miyata 2014, section 5.3).
+Plugin<Bake> leather_plugin();
+
+} // namespace scree
