@@ -31,19 +31,6 @@ double integral_of_lower(double e0, double e1, double f0, double f1) {
     return sum;
 }
 
-Box2 box_of(const std::vector<Ring>& rings) {
-    Box2 box;
-    for (const Ring& ring : rings)
-        for (const Vec2& point : ring)
-            box.extendBy(point);
-    return box;
-}
-
-double area_of(const Outline& outline) {
-    return std::accumulate(outline.begin(), outline.end(), 0.0,
-                           [](double sum, const Ring& ring) { return sum + signed_area(ring); });
-}
-
 // Whether an edge of the domain comes near the box; if none does, the box is in or out as a whole.
 bool meets_edges(const Region& domain, const Box2& box) {
     for (const Ring& ring : domain.rings)
@@ -61,16 +48,16 @@ bool meets_edges(const Region& domain, const Box2& box) {
 
 // A polygon's indicator is the sum over its edges of the signed indicators of what lies below each
 // edge, so the area of an intersection is a double sum over edges of signed areas below both.
-double intersection_area(const std::vector<Ring>& a, const std::vector<Ring>& b) {
-    const double base = box_of(a).min.y;
+double intersection_area(const Region& a, const Region& b) {
+    const double base = bounds(a).min.y;
     double area = 0;
-    for (const Ring& ring_a : a)
+    for (const Ring& ring_a : a.rings)
         for (std::size_t i = 0, j = ring_a.size() - 1; i < ring_a.size(); j = i++) {
             const Vec2& a0 = ring_a[j];
             const Vec2& a1 = ring_a[i];
             if (a0.x == a1.x)
                 continue;
-            for (const Ring& ring_b : b)
+            for (const Ring& ring_b : b.rings)
                 for (std::size_t k = 0, l = ring_b.size() - 1; k < ring_b.size(); l = k++) {
                     const Vec2& b0 = ring_b[l];
                     const Vec2& b1 = ring_b[k];
@@ -94,13 +81,12 @@ double covered_area(const PlacedRegions& regions) {
     const Region& domain = *regions.window.domain;
     std::vector<double> areas(regions.outlines.size());
     parallel_for(areas.size(), 64, [&](std::size_t i) {
-        const Outline& outline = regions.outlines[i];
-        const Box2 box = box_of(outline);
+        const Region& outline = regions.outlines[i];
+        const Box2 box = bounds(outline);
         if (regions.window.torus || !meets_edges(domain, box))
-            areas[i] =
-                regions.window.torus || contains(domain, box.center()) ? area_of(outline) : 0;
+            areas[i] = regions.window.torus || contains(domain, box.center()) ? area(outline) : 0;
         else
-            areas[i] = intersection_area(outline, domain.rings);
+            areas[i] = intersection_area(outline, domain);
     });
     return std::accumulate(areas.begin(), areas.end(), 0.0);
 }

@@ -7,7 +7,7 @@ namespace scree {
 
 /// Area of the intersection of two polygons with holes [m^2], exact up to rounding; time grows
 /// with the product of their edges' numbers. Touching and shared edges do no harm.
-double intersection_area(const std::vector<Ring>& a, const std::vector<Ring>& b);
+double intersection_area(const Region& a, const Region& b);
 
 /// Area of the window that the regions cover, which must not overlap [m^2]: of a region that
 /// sticks out of the domain only the part inside counts; on a torus all counts.

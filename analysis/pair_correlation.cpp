@@ -49,7 +49,6 @@ std::vector<double> count_pairs(std::span<const Vec2> points, const Window& wind
 } // namespace
 
 double set_covariance(const Window& window, double r) {
-    const std::vector<Ring>& rings = window.domain->rings;
     if (window.torus)
         return area(*window.domain);
     // Half a turn will do: moving by -t leaves the same area. Midpoints of 16 equal parts are exact
@@ -58,11 +57,11 @@ double set_covariance(const Window& window, double r) {
     double sum = 0;
     for (int d = 0; d < directions; ++d) {
         const Vec2 move = rotate({r, 0}, pi * (d + 0.5) / directions);
-        std::vector<Ring> moved = rings;
-        for (Ring& ring : moved)
+        Region moved{window.domain->rings, {}, {}};
+        for (Ring& ring : moved.rings)
             for (Vec2& point : ring)
                 point += move;
-        sum += intersection_area(rings, moved);
+        sum += intersection_area(*window.domain, moved);
     }
     return sum / directions;
 }

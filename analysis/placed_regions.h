@@ -20,18 +20,11 @@ struct PlacedPoints {
     std::vector<std::string> kind_names;
 };
 
-/// The outline of one region where it was placed: outer rings counter-clockwise, holes clockwise.
-using Outline = std::vector<Ring>;
-
 /// The points with the region around each; `outlines` is empty when regions are unknown. On a torus
 /// a region may stick out of the window; what sticks out lies at the opposite side.
 struct PlacedRegions : PlacedPoints {
-    std::vector<Outline> outlines; // per element [m]
+    std::vector<Region> outlines; // per element where it was placed, rings only [m]
 };
-
-/// The rings moved to where a matrix takes them, seen from above: x and z of the image of
-/// (x, 0, z).
-Outline place(const Region& region, const Matrix& world_from_object);
 
 /// The elements of a layout: an element's position is the image of the centre of its region's
 /// bounding box, or of the origin where it has none. Needs a domain.

@@ -7,19 +7,6 @@ namespace scree {
 
 namespace {
 
-bool even_odd(const Outline& outline, const Vec2& point) {
-    bool inside = false;
-    for (const Ring& ring : outline)
-        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-            const Vec2& a = ring[j];
-            const Vec2& b = ring[i];
-            if ((a.y > point.y) != (b.y > point.y) &&
-                point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x))
-                inside = !inside;
-        }
-    return inside;
-}
-
 bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     const auto sides_differ = [](const Vec2& p, const Vec2& q, const Vec2& u, const Vec2& v) {
         return (cross(q - p, u - p) > 0) != (cross(q - p, v - p) > 0);
@@ -38,10 +25,8 @@ double distance_of_segments(const Vec2& a, const Vec2& b, const Vec2& c, const V
 Box2 frame_of(const PlacedRegions& regions) {
     Box2 frame = bounds(*regions.window.domain);
     if (!regions.window.torus)
-        for (const Outline& outline : regions.outlines)
-            for (const Ring& ring : outline)
-                for (const Vec2& point : ring)
-                    frame.extendBy(point);
+        for (const Region& outline : regions.outlines)
+            frame.extendBy(bounds(outline));
     return frame;
 }
 
@@ -61,7 +46,7 @@ RegionDistance::RegionDistance(const PlacedRegions& regions)
 std::vector<RegionDistance::Edge> RegionDistance::edges_of(const PlacedRegions& regions) {
     std::vector<Edge> edges;
     for (std::uint32_t element = 0; element < regions.outlines.size(); ++element)
-        for (const Ring& ring : regions.outlines[element])
+        for (const Ring& ring : regions.outlines[element].rings)
             for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
                 edges.push_back({ring[j], ring[i], element});
     return edges;
@@ -79,9 +64,7 @@ std::vector<Box2> RegionDistance::boxes_of(const std::vector<Edge>& edges) {
 std::vector<Box2> RegionDistance::boxes_of(const PlacedRegions& regions) {
     std::vector<Box2> boxes(regions.outlines.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        for (const Ring& ring : regions.outlines[i])
-            for (const Vec2& point : ring)
-                boxes[i].extendBy(point);
+        boxes[i] = bounds(regions.outlines[i]);
     return boxes;
 }
 
@@ -96,7 +79,7 @@ bool RegionDistance::inside(const Vec2& point) const {
     bool found = false;
     element_grid_.visit_at(point, [&](std::uint32_t i, const Vec2& shift) {
         found = found || (element_boxes_[i].intersects(point - shift) &&
-                          even_odd(regions_.outlines[i], point - shift));
+                          contains(regions_.outlines[i], point - shift));
     });
     return found;
 }

@@ -174,6 +174,14 @@ Color display_color(const Color& linear) {
     return {encode(linear.x), encode(linear.y), encode(linear.z)};
 }
 
+Color palette_color(std::size_t index) {
+    static constexpr std::uint32_t colors[] = {0x4477aa, 0xee8866, 0x228833, 0xccbb44, 0xaa3377,
+                                               0x66ccee, 0x99582a, 0xbbbbbb, 0x44bb99, 0xffaabb};
+    const std::uint32_t rgb = colors[index % std::size(colors)]; // after P. Tol (2021)
+    const auto channel = [&](int shift) { return float((rgb >> shift) & 0xff) / 255.0F; };
+    return {channel(16), channel(8), channel(0)};
+}
+
 Ring circle_ring(const Vec2& centre, double radius, int segments) {
     Ring ring;
     for (int i = 0; i < segments; ++i)

@@ -63,6 +63,9 @@ TextMask text_mask(const std::string& text, double size);
 /// A colour as the display shows it: IEC 61966-2-1 applied to clamped linear Rec. 709.
 Color display_color(const Color& linear);
 
+/// Display colours that are easy to tell apart, for the parts of a whole; they repeat after ten.
+Color palette_color(std::size_t index);
+
 /// A circle as a ring of `segments` points.
 Ring circle_ring(const Vec2& centre, double radius, int segments = 64);
 
