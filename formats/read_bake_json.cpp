@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/read_bake_json.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scree {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double max_coordinate = 1e9; // [m]; beyond, squares of areas lose all their digits
+
+/// A value with the way to it, for messages: "aggregates[0].instances[3].matrix".
+struct Located {
+    const Json& json;
+    const std::string& file;
+    std::string path;
+
+    Error error(const std::string& message) const {
+        return Error(Diagnostic{{file, 0}, path, message, ""});
+    }
+    const Located& expect(bool right, const char* what) const {
+        if (!right)
+            throw error(fmt::format("expected {}, got {}", what, shown()));
+        return *this;
+    }
+    std::string shown() const {
+        const std::string text = json.is_array() || json.is_object()
+                                     ? fmt::format("{} of {}", json.type_name(), json.size())
+                                     : json.dump(-1, ' ', false, Json::error_handler_t::replace);
+        return text.size() > 40 ? text.substr(0, 37) + "..." : text;
+    }
+    bool has(const char* key) const { return json.contains(key); }
+    Located at(const char* key) const {
+        expect(json.is_object(), "an object");
+        const std::string inner = path.empty() ? key : path + "." + key;
+        if (!has(key))
+            throw Error(Diagnostic{{file, 0}, inner, "is missing", ""});
+        return {json.at(key), file, inner};
+    }
+    Located at(std::size_t i) const { return {json.at(i), file, fmt::format("{}[{}]", path, i)}; }
+    std::size_t list_size() const { return expect(json.is_array(), "a list").json.size(); }
+
+    double number() const {
+        expect(json.is_number(), "a number");
+        const double value = json.get<double>();
+        expect(std::isfinite(value) && std::abs(value) <= max_coordinate,
+               "a number between -1e9 and 1e9");
+        return value;
+    }
+    std::uint64_t whole(std::uint64_t below, const char* what) const {
+        expect(json.is_number_unsigned() && json.get<std::uint64_t>() < below, what);
+        return json.get<std::uint64_t>();
+    }
+    std::string text() const { return expect(json.is_string(), "a text").json.get<std::string>(); }
+};
+
+std::shared_ptr<const Region> read_region(const Located& rings) {
+    auto region = std::make_shared<Region>();
+    for (std::size_t r = 0; r < rings.list_size(); ++r) {
+        const Located ring = rings.at(r);
+        ring.expect(ring.list_size() >= 3, "a ring of at least 3 points");
+        Ring& out = region->rings.emplace_back();
+        for (std::size_t i = 0; i < ring.json.size(); ++i) {
+            const Located point = ring.at(i);
+            point.expect(point.json.is_array() && point.json.size() == 2, "a point [x, z]");
+            out.emplace_back(point.at(std::size_t{0}).number(), point.at(std::size_t{1}).number());
+        }
+    }
+    if (!(area(*region) > 0))
+        throw rings.error("has no area; outer rings turn counter-clockwise, holes clockwise");
+    return region;
+}
+
+bool is_box(const Region& region) {
+    if (region.rings.size() != 1 || region.rings[0].size() != 4)
+        return false;
+    const Vec2 size = bounds(region).size();
+    return std::abs(area(region) - size.x * size.y) <= 1e-9 * size.x * size.y;
+}
+
+Instance read_instance(const Located& in, std::size_t prototypes) {
+    Instance instance;
+    const Located prototype = in.at("prototype");
+    instance.prototype = static_cast<std::uint32_t>(prototype.whole(
+        prototypes, fmt::format("the index of one of {} prototypes", prototypes).c_str()));
+    const Located matrix = in.at("matrix");
+    matrix.expect(matrix.json.is_array() && matrix.json.size() == 12, "12 numbers");
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            instance.world_from_object[column][row] =
+                static_cast<float>(matrix.at(std::size_t(4 * row + column)).number());
+    if (in.has("angle"))
+        instance.angle = radians(in.at("angle").number());
+    if (in.has("scale"))
+        instance.scale = in.at("scale").number();
+    return instance;
+}
+
+Aggregate read_aggregate(const Located& in) {
+    Aggregate aggregate;
+    aggregate.generator = in.at("generator").text();
+    if (in.has("seed"))
+        aggregate.seed =
+            in.at("seed").whole(std::numeric_limits<std::uint64_t>::max(), "a whole number");
+    if (in.has("domain")) {
+        const Located domain = in.at("domain");
+        aggregate.domain = read_region(domain.at("rings"));
+        if (domain.has("torus")) {
+            const Located torus = domain.at("torus");
+            aggregate.torus = torus.expect(torus.json.is_boolean(), "true or false").json;
+            if (aggregate.torus && !is_box(*aggregate.domain))
+                throw torus.error("a torus needs a rectangle along the axes for its domain");
+        }
+    }
+    const Located prototypes = in.at("prototypes");
+    for (std::size_t i = 0; i < prototypes.list_size(); ++i) {
+        const Located prototype = prototypes.at(i);
+        Prototype& out = aggregate.prototypes.emplace_back();
+        out.name = prototype.at("name").text();
+        if (prototype.has("region"))
+            out.region = read_region(prototype.at("region"));
+    }
+    const Located instances = in.at("instances");
+    for (std::size_t i = 0; i < instances.list_size(); ++i)
+        aggregate.instances.push_back(read_instance(instances.at(i), aggregate.prototypes.size()));
+    return aggregate;
+}
+
+} // namespace
+
+bool is_bake_json(std::string_view text) {
+    return text.find("\"aggregates\"") != std::string_view::npos;
+}
+
+std::vector<Aggregate> read_bake_json(const std::string& text, const std::string& path) {
+    Json root;
+    try {
+        root = Json::parse(text);
+    } catch (const Json::exception& failure) {
+        // The library's words differ between versions; the place is what helps.
+        const auto* problem = dynamic_cast<const Json::parse_error*>(&failure);
+        const std::size_t byte = problem != nullptr ? problem->byte : 0;
+        const auto end = text.begin() + std::ptrdiff_t(std::min(byte, text.size()));
+        throw Error(Diagnostic{{path, 1 + static_cast<int>(std::count(text.begin(), end, '\n'))},
+                               "",
+                               "is not JSON",
+                               ""});
+    }
+    const Located aggregates = Located{root, path, ""}.at("aggregates");
+    std::vector<Aggregate> out;
+    for (std::size_t i = 0; i < aggregates.list_size(); ++i)
+        out.push_back(read_aggregate(aggregates.at(i)));
+    return out;
+}
+
+} // namespace scree
