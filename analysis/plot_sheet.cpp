@@ -164,13 +164,13 @@ void draw_pairs(Canvas& canvas, const AnalysisReport& report) {
 void draw_power(Canvas& canvas, const AnalysisReport& report) {
     const double step = report.radial.bin_width * report.spacing;
     const double limit = step * double(report.radial.power.size());
-    Plot power(canvas, panel(0, 1), "Radial mean power", {0, limit, "frequency × mean spacing"},
+    Plot power(canvas, panel(0, 1), "Radial mean power", {0, limit, "frequency [1 / mean spacing]"},
                {0, std::max(2.0, 1.1 * highest(report.radial.power)), "power"});
     power.horizontal(1, grey);
     power.curve(centres_of_bins(report.radial.power, step), 2, blue);
 
     const double expected = -10 * std::log10(double(report.layouts.size()));
-    Plot anisotropy(canvas, panel(1, 1), "Anisotropy", {0, limit, "frequency × mean spacing"},
+    Plot anisotropy(canvas, panel(1, 1), "Anisotropy", {0, limit, "frequency [1 / mean spacing]"},
                     {expected - 15, expected + 15, "anisotropy [dB]"});
     anisotropy.horizontal(expected, grey);
     anisotropy.curve(centres_of_bins(report.radial.anisotropy_db, step), 2, blue);
@@ -186,7 +186,8 @@ void draw_spectrum(Canvas& canvas, const AnalysisReport& report) {
     const Box2 frame(centre - Vec2(side / 2, side / 2), centre + Vec2(side / 2, side / 2));
     const double limit =
         std::min(spectrum.reach_x * spectrum.step.x, spectrum.reach_y * spectrum.step.y);
-    const Axis axis{-limit * report.spacing, limit * report.spacing, "frequency × mean spacing"};
+    const Axis axis{-limit * report.spacing, limit * report.spacing,
+                    "frequency [1 / mean spacing]"};
     const Plot plot(canvas, frame, "Power spectrum (black 0, white 2)", axis, axis);
     const auto range = [&](int pixel, double step, int reach) {
         const double per_pixel = 2 * limit / side;

@@ -16,6 +16,7 @@ constexpr double pair_reach = 6;
 constexpr std::size_t pair_bins = 90;
 constexpr double highest_frequency = 3;
 constexpr std::size_t gap_bins = 60;
+constexpr std::size_t neighbour_bins = 30; // one distance per element: fewer, wider bins
 
 LayoutFigures figures_of(const PlacedRegions& layout, std::uint64_t seed) {
     LayoutFigures figures{seed, layout.positions.size(), {}, {}, {}};
@@ -52,7 +53,7 @@ void measure_regions(std::span<const PlacedRegions> layouts, AnalysisReport& rep
     report.neighbour = summary(neighbours);
     // On the scale of the gaps: the long tail of lone elements would hide the rest.
     const double limit = std::min(report.neighbour.maximum, 2 * report.gap.maximum);
-    report.neighbour_histogram = histogram(neighbours, limit, gap_bins);
+    report.neighbour_histogram = histogram(neighbours, limit, neighbour_bins);
 }
 
 void add(PairCorrelation& sum, const PairCorrelation& part, double weight) {

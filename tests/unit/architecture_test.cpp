@@ -27,7 +27,7 @@ std::vector<Include> includes_of(const fs::path& root) {
     static const std::regex line(R"(^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"])",
                                  std::regex::multiline);
     std::vector<Include> out;
-    for (const char* folder : {"core", "generators", "procedurals", "render", "formats", "scenes",
+    for (const char* folder : {"core", "analysis", "generators", "procedurals", "render", "formats", "scenes",
                                "app", "bench", "tests"}) {
         if (!fs::exists(root / folder))
             continue;
@@ -62,12 +62,13 @@ std::string folder_of(const std::string& path) {
 TEST(Architecture, FoldersDependDownwardsOnly) {
     const std::map<std::string, std::set<std::string>> allowed{
         {"core", {}},
+        {"analysis", {"core"}},
         {"generators", {"core"}},
         {"procedurals", {"core"}},
         {"render", {"core"}},
         {"formats", {"core"}},
         {"scenes/reader", {"core", "generators", "procedurals", "render", "formats"}},
-        {"app", {"core", "generators", "procedurals", "render", "formats", "scenes/reader"}},
+        {"app", {"core", "analysis", "generators", "procedurals", "render", "formats", "scenes/reader"}},
     };
     ASSERT_GT(all_includes().size(), 100U);
     for (const Include& include : all_includes()) {
