@@ -84,6 +84,7 @@ int run_command_line(int argc, char** argv) {
     Run run;
     add_render_command(app, run);
     add_bake_command(app, run);
+    add_height_command(app, run);
     add_view_command(app, run);
     add_diff_command(app, run);
     add_check_command(app, run);

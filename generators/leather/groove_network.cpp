@@ -14,27 +14,55 @@ namespace {
 
 constexpr int block = 16; // pixels along the edge of those that share candidates
 
-/// A cell's outline as floats in its own frame.
-struct Outline {
-    std::vector<Vec2f> points;
-};
+using Float4 = float __attribute__((vector_size(16)));
+using Mask4 = std::int32_t __attribute__((vector_size(16)));
 
-/// Signed distance to a polygon, negative inside, by edges and crossings.
-float signed_distance(const Outline& outline, const Vec2f& p) {
-    float squared = std::numeric_limits<float>::max();
-    bool inside = false;
-    const std::size_t n = outline.points.size();
-    for (std::size_t i = 0, j = n - 1; i < n; j = i++) {
-        const Vec2f& a = outline.points[i];
-        const Vec2f& b = outline.points[j];
-        const Vec2f edge = b - a, to = p - a;
-        const float t = std::clamp(to.dot(edge) / edge.dot(edge), 0.0F, 1.0F);
-        const Vec2f rest = to - edge * t;
-        squared = std::min(squared, rest.dot(rest));
-        if ((a.y > p.y) != (b.y > p.y) && (edge.x * to.y < edge.y * to.x) == (edge.y > 0))
-            inside = !inside;
+/// Four edges of a cell's outline in its own frame, from `a` to `b`; those that fill up are points.
+struct Edges {
+    Float4 ax, ay, by;
+    Float4 x, y;    // b - a
+    Float4 inverse; // of the squared length
+};
+using Outline = std::vector<Edges>;
+
+Outline outline_of(const Ring& ring) {
+    Outline outline((ring.size() + 3) / 4);
+    for (std::size_t i = 0; i < 4 * outline.size(); ++i) {
+        Edges& edges = outline[i / 4];
+        const std::size_t lane = i % 4;
+        const Vec2f a(ring[std::min(i, ring.size() - 1)]);
+        const Vec2f b(i < ring.size() ? ring[(i + 1) % ring.size()] : ring.back());
+        const Vec2f edge = b - a;
+        edges.ax[lane] = a.x;
+        edges.ay[lane] = a.y;
+        edges.by[lane] = b.y;
+        edges.x[lane] = edge.x;
+        edges.y[lane] = edge.y;
+        edges.inverse[lane] = edge.length2() > 0 ? 1 / edge.length2() : 0.0F;
     }
-    return inside ? -std::sqrt(squared) : std::sqrt(squared);
+    return outline;
+}
+
+/// Signed distance to a polygon, negative inside: to the nearest edge, and by the parity of the
+/// edges to the right.
+float signed_distance(const Outline& outline, const Vec2f& p) {
+    const Float4 zero{}, one = zero + 1;
+    Float4 squared = zero + std::numeric_limits<float>::max();
+    Mask4 inside{};
+    for (const Edges& e : outline) {
+        const Float4 to_x = p.x - e.ax, to_y = p.y - e.ay;
+        Float4 t = (to_x * e.x + to_y * e.y) * e.inverse;
+        t = t < zero ? zero : t;
+        t = t > one ? one : t;
+        const Float4 rest_x = to_x - e.x * t, rest_y = to_y - e.y * t;
+        const Float4 here = rest_x * rest_x + rest_y * rest_y;
+        squared = here < squared ? here : squared;
+        inside ^= ((e.ay > p.y) ^ (e.by > p.y)) & ~((e.x * to_y < e.y * to_x) ^ (e.y > zero));
+    }
+    const float nearest =
+        std::min(std::min(squared[0], squared[1]), std::min(squared[2], squared[3]));
+    const bool is_inside = ((inside[0] ^ inside[1] ^ inside[2] ^ inside[3]) & 1) != 0;
+    return is_inside ? -std::sqrt(nearest) : std::sqrt(nearest);
 }
 
 struct Candidate {
@@ -175,12 +203,8 @@ GrooveNetwork groove_network(const CellLayout& layout, int resolution, const War
     network.along.resize(pixels);
 
     std::vector<Outline> outlines;
-    for (const CollisionShape& shape : layout.shapes) {
-        Outline outline;
-        for (const Vec2& p : shape.outline().rings.front())
-            outline.points.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
-        outlines.push_back(std::move(outline));
-    }
+    for (const CollisionShape& shape : layout.shapes)
+        outlines.push_back(outline_of(shape.outline().rings.front()));
     const CellIndex cells(layout);
     const int blocks = (resolution + block - 1) / block;
     parallel_for(std::size_t(blocks), 1, [&](std::size_t row) {

@@ -12,28 +12,28 @@ namespace {
 LeatherSettings fine_calf() {
     LeatherSettings s;
     s.name = "fine_calf";
-    s.cell = 0.9e-3;
+    s.cell = 0.62e-3;
     s.cell_range = {0.55, 1.5};
     s.elongation = 1.25;
     s.irregularity = 0.8;
     s.meander = 0.22;
-    s.depth = 45e-6;
-    s.roundness = 0.55;
+    s.depth = 38e-6;
+    s.roundness = 0.6;
     s.fullness = 0.25;
     s.height_variation = 0.35;
-    s.groove_width = 0.13e-3;
-    s.groove_depth = 25e-6;
+    s.groove_width = 0.1e-3;
+    s.groove_depth = 20e-6;
     s.groove_variation = 0.85;
     s.minor_cell = 0.42;
-    s.minor_depth = 9e-6;
-    s.wrinkle_depth = 30e-6;
-    s.wrinkle_spacing = 3.5e-3;
-    s.pore_depth = 45e-6;
-    s.pore_width = 0.06e-3;
-    s.pore_density = 0.7;
+    s.minor_depth = 6e-6;
+    s.wrinkle_depth = 55e-6;
+    s.wrinkle_spacing = 4.5e-3;
+    s.pore_depth = 50e-6;
+    s.pore_width = 0.07e-3;
+    s.pore_density = 0.35;
     s.roughness = 1.5e-6;
-    s.undulation = 50e-6;
-    s.undulation_cells = 14;
+    s.undulation = 70e-6;
+    s.undulation_cells = 18;
     return s;
 }
 
@@ -46,15 +46,15 @@ LeatherSettings coarse_grain() {
     s.direction_spread = radians(60);
     s.irregularity = 0.9;
     s.meander = 0.3;
-    s.depth = 0.32e-3;
-    s.roundness = 0.5;
-    s.fullness = 0.5;
+    s.depth = 0.36e-3;
+    s.roundness = 0.68;
+    s.fullness = 0.4;
     s.height_variation = 0.25;
-    s.groove_width = 0.26e-3;
+    s.groove_width = 0.3e-3;
     s.groove_depth = 0.16e-3;
     s.groove_variation = 0.7;
     s.minor_cell = 0.3;
-    s.minor_depth = 38e-6;
+    s.minor_depth = 45e-6;
     s.wrinkle_depth = 30e-6;
     s.wrinkle_spacing = 2.2e-3;
     s.pore_depth = 70e-6;
@@ -77,10 +77,10 @@ LeatherSettings reptile() {
     s.irregularity = 0.45;
     s.meander = 0.06;
     s.depth = 0.55e-3;
-    s.roundness = 0.32;
-    s.fullness = 0.85;
+    s.roundness = 0.45;
+    s.fullness = 0.6;
     s.height_variation = 0.12;
-    s.tilt = 0.22;
+    s.tilt = 0.3;
     s.overhang = 0.3;
     s.groove_width = 0.24e-3;
     s.groove_depth = 0.22e-3;
@@ -98,17 +98,17 @@ LeatherSettings reptile() {
 LeatherSettings pebbled() {
     LeatherSettings s;
     s.name = "pebbled";
-    s.cell = 1.9e-3;
-    s.cell_range = {0.5, 1.25};
+    s.cell = 1.8e-3;
+    s.cell_range = {0.6, 1.2};
     s.elongation = 1.08;
     s.irregularity = 0.35;
     s.meander = 0.05;
     s.depth = 0.5e-3;
     s.roundness = 1;
-    s.fullness = 0.75;
+    s.fullness = 0.35;
     s.height_variation = 0.12;
-    s.groove_width = 0.32e-3;
-    s.groove_depth = 0.05e-3;
+    s.groove_width = 0.36e-3;
+    s.groove_depth = 0.08e-3;
     s.minor_cell = 0.3;
     s.minor_depth = 5e-6;
     s.pore_depth = 25e-6;
@@ -180,8 +180,6 @@ constexpr Number numbers[] = {
     {"undulation_cells", &LeatherSettings::undulation_cells, "", 1, 100, false,
      "Length of those waves, in cells."},
 };
-
-bool is_angle(const Number& number) { return std::string(number.unit) == "deg"; }
 
 } // namespace
 

@@ -39,6 +39,7 @@ class Relief {
     CellLayout place_minor_cells() const;
     Warp meander(double cell, std::uint64_t stream) const;
     std::vector<float> cell_heights(const CellLayout& cells) const;
+    float rounded_distance(const GrooveNetwork& network, std::size_t pixel) const;
     Vec2f overhang(const GrooveNetwork& network, int x, int y) const;
     template <class Height>
     void for_each_pixel(const Height& height) const;
@@ -94,6 +95,16 @@ std::vector<float> Relief::cell_heights(const CellLayout& cells) const {
                                (1 + settings_.height_variation * random.uniform(-1, 1))));
     }
     return heights;
+}
+
+/// Distance to the groove, less where it meets others, so that round cells have round corners: the
+/// smooth minimum of the distances to both (Quilez' polynomial one), which is C1 where they swap.
+float Relief::rounded_distance(const GrooveNetwork& network, std::size_t pixel) const {
+    const float d = network.distance[pixel], j = network.junction[pixel];
+    const auto rounding =
+        static_cast<float>(0.4 * settings_.roundness * settings_.roundness * settings_.cell);
+    const float near = std::max(0.0F, rounding - (j - d));
+    return rounding > 0 ? std::max(0.0F, d - near * near / (4 * rounding)) : d;
 }
 
 /// How far the shoulder leans over the groove: away from the cell's middle, not at the groove
@@ -167,7 +178,7 @@ HeightField Relief::make(ReliefFacts* facts) {
         // Some grooves are shallow, as if two cells had grown together: there the base rises.
         const float depth =
             1 - f(s.groove_variation) * smooth_step(-0.1F, 0.75F, strength_noise(uv));
-        const float groove = sulcus_profile(network.distance[i], f(s.groove_width));
+        const float groove = sulcus_profile(rounded_distance(network, i), f(s.groove_width));
         float height = 0;
         float crown = 0;
         if (has_cristae) {
