@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace scree {
 
@@ -167,7 +168,11 @@ void draw_power(Canvas& canvas, const AnalysisReport& report) {
     Plot power(canvas, panel(0, 1), "Radial mean power", {0, limit, "frequency [1 / mean spacing]"},
                {0, std::max(2.0, 1.1 * highest(report.radial.power)), "power"});
     power.horizontal(1, grey);
-    power.curve(centres_of_bins(report.radial.power, step), 2, blue);
+    std::vector<double> known = report.radial.power;
+    for (std::size_t k = 0; k < known.size(); ++k)
+        if (report.radial.count[k] == 0) // the first annulus may hold frequency 0 alone
+            known[k] = std::numeric_limits<double>::quiet_NaN();
+    power.curve(centres_of_bins(known, step), 2, blue);
 
     const double expected = -10 * std::log10(double(report.layouts.size()));
     Plot anisotropy(canvas, panel(1, 1), "Anisotropy", {0, limit, "frequency [1 / mean spacing]"},
