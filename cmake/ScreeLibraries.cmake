@@ -13,6 +13,7 @@ find_package(CLI11 CONFIG REQUIRED)
 find_package(Lua 5.4 REQUIRED)
 find_package(tinyobjloader CONFIG REQUIRED)
 find_package(TinyGLTF CONFIG REQUIRED)
+find_package(pugixml CONFIG REQUIRED)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 
 # Embree 3 or 4, whichever there is; render/world.cpp adapts to both.

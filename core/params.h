@@ -44,8 +44,8 @@ class Params;
 
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec2, Vec3,
                            Color, Texture, Range, std::vector<Vec2>, std::shared_ptr<const Mesh>,
-                           std::shared_ptr<const Region>, std::shared_ptr<const Field>,
-                           MaterialId, std::shared_ptr<const std::vector<Params>>>;
+                           std::shared_ptr<const Region>, std::shared_ptr<const Field>, MaterialId,
+                           std::shared_ptr<const std::vector<Params>>>;
 
 /// The declaration of one parameter.
 struct ParamSpec {

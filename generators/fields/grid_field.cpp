@@ -10,7 +10,7 @@ namespace scree {
 
 namespace {
 
-constexpr int most_cells = 8;   // along a side, that are looked at one by one
+constexpr int most_cells = 8; // along a side, that are looked at one by one
 constexpr int smallest_block = 4;
 constexpr int most_blocks = 4;
 
@@ -139,9 +139,8 @@ Range GridField::over_blocks(const Span& x, const Span& z) const {
     // Blocks of an axis, in two runs where the span goes beyond a torus's last cell.
     const auto runs = [&](const Span& span, unsigned axis) {
         const int last = cells(axis) - 1;
-        std::array<std::array<int, 2>, 2> out{{{span.from.cell / level.block,
-                                                std::min(span.to.cell, last) / level.block},
-                                               {0, -1}}};
+        std::array<std::array<int, 2>, 2> out{
+            {{span.from.cell / level.block, std::min(span.to.cell, last) / level.block}, {0, -1}}};
         if (span.to.cell > last)
             out[1][1] = (span.to.cell - last - 1) / level.block;
         return out;
@@ -175,8 +174,7 @@ void GridField::build_levels() {
                          ++column)
                         all.add(below == nullptr
                                     ? cell_of(grid_, column, row).over(0, 1, 0, 1)
-                                    : below->ranges[std::size_t(row) *
-                                                        std::size_t(below->columns) +
+                                    : below->ranges[std::size_t(row) * std::size_t(below->columns) +
                                                     std::size_t(column)]);
                 level.ranges.push_back(all.range());
             }

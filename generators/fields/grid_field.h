@@ -12,11 +12,11 @@ namespace scree {
 struct SampleGrid {
     int columns = 1; // at least 1
     int rows = 1;
-    Vec2 first{0.0};           // [m]
-    Vec2 step{1.0};            // [m], positive
-    std::vector<float> values; // columns * rows, finite
-    bool torus = false;        // repeats itself instead of ending at its border
-    bool angle = false;        // degrees: between two samples the field turns the shorter way
+    Vec2 first{0.0};             // [m]
+    Vec2 step{1.0};              // [m], positive
+    std::vector<float> values{}; // columns * rows, finite
+    bool torus = false;          // repeats itself instead of ending at its border
+    bool angle = false;          // degrees: between two samples the field turns the shorter way
 };
 
 /// A grid interpolated bilinearly. Outside a grid that is no torus, the nearest border's values

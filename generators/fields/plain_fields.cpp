@@ -36,8 +36,8 @@ Range GradientField::over(const Box2& box) const {
         all.add({value, value});
     }
     if (radial_) {
-        const double value = at({std::clamp(from_.x, box.min.x, box.max.x),
-                                 std::clamp(from_.y, box.min.y, box.max.y)});
+        const double value = at(
+            {std::clamp(from_.x, box.min.x, box.max.x), std::clamp(from_.y, box.min.y, box.max.y)});
         all.add({value, value});
     }
     return all.range();

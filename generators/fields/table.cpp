@@ -4,6 +4,7 @@
 #include "generators/fields/grid_field.h"
 #include "generators/fields/plain_fields.h"
 #include "generators/fields/sampled_function.h"
+#include "generators/located.h"
 #include "generators/sampling/image_channel.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,8 @@ ParamSpec extent(std::string name, std::string doc) {
 }
 
 ParamSpec place(std::string name, std::string doc) {
-    return {.name = std::move(name), .type = ParamType::vector2, .doc = std::move(doc), .unit = "m"};
+    return {
+        .name = std::move(name), .type = ParamType::vector2, .doc = std::move(doc), .unit = "m"};
 }
 
 ParamSpec centre(std::string doc) {
@@ -55,16 +57,6 @@ ParamSpec angle_flag() {
     return flag("angle", "The values are directions in degrees: 359 lies beside 0.");
 }
 
-/// What `make` throws, located at the parameter it comes from.
-template <class Make>
-auto located(const Params& params, const std::string& name, const Make& make) {
-    try {
-        return make();
-    } catch (const Error& error) {
-        throw params.error(name, error.diagnostics().front().message);
-    }
-}
-
 /// Lays `grid` out over width x depth about the centre. With samples `at_border` the outermost
 /// ones stand on the border, otherwise all stand in the middle of equal cells.
 FieldPointer laid_out(const Params& params, SampleGrid grid, bool at_border) {
@@ -75,8 +67,8 @@ FieldPointer laid_out(const Params& params, SampleGrid grid, bool at_border) {
     for (unsigned axis = 0; axis < 2; ++axis) {
         const bool spread = at_border && counts[axis] > 1;
         grid.step[axis] = size[axis] / (spread ? counts[axis] - 1 : counts[axis]);
-        grid.first[axis] = params.vector2("centre")[axis] - size[axis] / 2 +
-                           (at_border ? 0 : grid.step[axis] / 2);
+        grid.first[axis] =
+            params.vector2("centre")[axis] - size[axis] / 2 + (at_border ? 0 : grid.step[axis] / 2);
     }
     return std::make_shared<const GridField>(std::move(grid));
 }
@@ -114,15 +106,17 @@ Plugin<MakeField> image_plugin() {
               .doc = "What to take of a pixel.",
               .fallback = std::string("luminance"),
               .choices = {"luminance", "r", "g", "b", "a"}},
-             value("low", "Value of a pixel of 0.", 0), std::move(high), angle_flag(),
+             value("low", "Value of a pixel of 0.", 0),
+             std::move(high),
+             angle_flag(),
              flag("torus", "The image repeats; otherwise its border goes on outside."),
              centre("Where the middle of the image lies.")},
             image_field};
 }
 
 FieldPointer function_field(const Params& params) {
-    SampleGrid grid = located(
-        params, "value", [&] { return parse_samples(params.text("value"), most_samples); });
+    SampleGrid grid =
+        located(params, "value", [&] { return parse_samples(params.text("value"), most_samples); });
     return laid_out(params, std::move(grid), !params.flag("torus"));
 }
 
@@ -140,7 +134,8 @@ Plugin<MakeField> function_plugin() {
               .fallback = std::int64_t{256},
               .min = 2,
               .max = most_samples},
-             angle_flag(), flag("torus", "The grid repeats."),
+             angle_flag(),
+             flag("torus", "The grid repeats."),
              centre("Where the middle of the grid lies.")},
             function_field};
 }
@@ -156,9 +151,8 @@ Plugin<MakeField> gradient_plugin() {
                 const Vec2& from = params.vector2("from");
                 const Vec2& to = params.vector2("to");
                 if (!((to - from).length() > 1e-9))
-                    throw params.error("to",
-                                       fmt::format("is the same point as from: {{{}, {}}}", to.x,
-                                                   to.y));
+                    throw params.error(
+                        "to", fmt::format("is the same point as from: {{{}, {}}}", to.x, to.y));
                 return std::make_shared<const GradientField>(
                     from, to, Range{params.number("low"), params.number("high")},
                     params.flag("radial"));

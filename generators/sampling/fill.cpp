@@ -3,6 +3,7 @@
 #include "generators/sampling/region_tools.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -22,9 +23,11 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 /// Of a face: which part of the plane it belongs to.
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<
     Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-    CGAL::Exact_intersections_tag>;
+/// The one that remembers whole edges: their crossings do not depend on earlier crossings.
+using Triangulation =
+    CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<
+        Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+        CGAL::Exact_intersections_tag>>;
 using Face = Triangulation::Face_handle;
 using Vertex = Triangulation::Vertex_handle;
 
@@ -79,6 +82,8 @@ class Arrangement {
 
     /// The filled area to the left of its rings, which may still touch after rounding.
     std::vector<Ring> rings() {
+        for (const Vertex vertex : triangulation_.finite_vertex_handles())
+            vertex->info() = 0;
         std::vector<HalfEdge> starts;
         for (Face face : triangulation_.finite_face_handles())
             for (int side = 0; side < 3; ++side)

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/table.h"
 
+#include "generators/located.h"
+#include "generators/sampling/image_region.h"
 #include "generators/sampling/region_shapes.h"
 #include "generators/sampling/region_tools.h"
+#include "generators/svg/svg_regions.h"
 
 #include <fmt/format.h>
 
@@ -18,16 +21,6 @@ ParamSpec length(std::string name, std::string doc, double fallback) {
             .fallback = fallback,
             .min = 1e-6,
             .max = 1e6};
-}
-
-/// What `make` throws, located at the parameter it comes from.
-template <class Make>
-auto located(const Params& params, const std::string& name, const Make& make) {
-    try {
-        return make();
-    } catch (const Error& error) {
-        throw params.error(name, error.diagnostics().front().message);
-    }
 }
 
 void check_stroke(const Params& params, double limit) {
@@ -170,6 +163,9 @@ Registry<MakeRegion> region_table() {
     table.add(letter_plugin("u", "The letter U.", u_ring, 0.5));
     table.add(letter_plugin("chevron", "A V, open towards +z.", chevron_ring, 1e6));
     table.add(mesh_silhouette_plugin());
+    table.add(image_region_plugin());
+    table.add(svg_region_plugin());
+    table.add(path_region_plugin());
     return table;
 }
 

@@ -7,7 +7,8 @@
 
 namespace scree {
 
-/// A token of Lua 5.4, but that a keyword after a dot is a name. `text` is the name, the symbol, or what stands between a string's quotes.
+/// A token of Lua 5.4, but that a keyword after a dot is a name. `text` is the name, the symbol, or
+/// what stands between a string's quotes.
 struct LuaToken {
     enum class Type { name, keyword, number, string, symbol };
     Type type = Type::symbol;

@@ -137,13 +137,15 @@ TEST(Field, BoundsOfManyCellsComeNearTheExtremes) {
         const Vec2 middle(random.uniform() - 0.5, 1.5 + random.uniform());
         const Vec2 half(0.3);
         const Box2 wide(middle - half, middle + half);
-        const Box2 wider(middle - half * 1.6, middle + half * 1.6);
+        // 62 x 28 cells: blocks of 16 x 16 are looked at, so the bounds reach 15 cells farther.
+        const Vec2 slack(16 * 2.0 / 200, 16 * 3.0 / 133);
+        const Box2 wider(wide.min - slack, wide.max + slack);
         const Range bounds = field.over(wide);
         // A grid of boxes of few cells that covers more: their bounds are exact.
         Range exact{1e9, -1e9};
         for (int z = 0; z < 40; ++z)
             for (int x = 0; x < 40; ++x) {
-                const Vec2 step = (wider.max - wider.min) / 40;
+                const Vec2 step = wider.size() / 40;
                 const Vec2 corner = wider.min + Vec2(x * step.x, z * step.y);
                 const Range part = field.over({corner, corner + step});
                 exact = {std::min(exact.low, part.low), std::max(exact.high, part.high)};
@@ -239,8 +241,8 @@ class ImageField : public testing::Test {
 TEST_F(ImageField, TopRowIsFarAndStoredValuesCount) {
     Image image(2, 2, {"R", "G", "B", "A"});
     // Far left red, far right green, near left blue at half alpha, near right grey 128.
-    image.pixels = {1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 128 / 255.0F,
-                    128 / 255.0F, 128 / 255.0F, 128 / 255.0F, 1};
+    image.pixels = {
+        1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 128 / 255.0F, 128 / 255.0F, 128 / 255.0F, 128 / 255.0F, 1};
     write_png(path_, image);
     const std::map<std::string, Value> size{{"width", 2.0}, {"depth", 4.0}};
     const auto with = [&](const std::string& channel, double high) {
