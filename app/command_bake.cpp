@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
+#include "app/layout_colors.h"
 #include "app/load.h"
 #include "app/run_stats.h"
 #include "core/file.h"
+#include "core/image.h"
 #include "core/parallel.h"
 #include "formats/bake_json.h"
+#include "formats/layout_picture.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <functional>
 #include <memory>
 
 namespace scree {
@@ -20,14 +23,48 @@ struct BakeOptions {
     SceneOptions scene;
     std::string output;
     std::string stats;
+    int size = 1600;
 };
 
+using WriteBake = std::function<void(const BakeOptions& options, const Scene& scene,
+                                     std::span<const Aggregate> aggregates)>;
+
+void bake_to_json(const BakeOptions& options, const Scene& scene,
+                  std::span<const Aggregate> aggregates) {
+    write_file(options.output, bake_json(aggregates, {scene.name, aggregates.front().seed}));
+}
+
+void bake_to_svg(const BakeOptions& options, const Scene& scene,
+                 std::span<const Aggregate> aggregates) {
+    write_file(options.output, layout_svg(aggregates, layout_colors(scene)));
+}
+
+void bake_to_png(const BakeOptions& options, const Scene& scene,
+                 std::span<const Aggregate> aggregates) {
+    write_png(options.output, layout_image(aggregates, layout_colors(scene), options.size));
+}
+
+struct BakeFormat {
+    std::string ending;
+    WriteBake write;
+};
+
+const BakeFormat& format_for(const std::string& output) {
+    static const std::vector<BakeFormat> formats{
+        {"json", bake_to_json}, {"svg", bake_to_svg}, {"png", bake_to_png}};
+    const std::string ending = extension(output);
+    std::vector<std::string> known;
+    for (const BakeFormat& format : formats) {
+        if (format.ending == ending)
+            return format;
+        known.push_back("." + format.ending);
+    }
+    throw Error::usage(fmt::format("{}: cannot bake to .{}; expected one of {}", output, ending,
+                                   fmt::join(known, ", ")));
+}
+
 int bake(const BakeOptions& options) {
-    const std::vector<std::string> formats{"json"};
-    const std::string ending = extension(options.output);
-    if (std::find(formats.begin(), formats.end(), ending) == formats.end())
-        throw Error::usage(
-            fmt::format("{}: cannot bake to .{}; expected .json", options.output, ending));
+    const BakeFormat& format = format_for(options.output);
     check_writable(options.output);
 
     const ThreadLimit threads(options.scene.threads);
@@ -45,7 +82,7 @@ int bake(const BakeOptions& options) {
                                ""});
 
     stages.begin("write");
-    write_file(options.output, bake_json(aggregates, {scene.name, aggregates.front().seed}));
+    format.write(options, scene, aggregates);
     stages.end();
     console.say("wrote " + options.output);
     if (!options.stats.empty())
@@ -60,7 +97,11 @@ void add_bake_command(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("bake", "Run a scene's generators and write their layout.");
     options->scene.add_to(*command);
-    command->add_option("-o,--output", options->output, "File to write: .json")->required();
+    command->add_option("-o,--output", options->output, "File to write: .json, .svg or .png")
+        ->required();
+    command->add_option("--size", options->size, "Pixels of the longer side of a .png")
+        ->check(CLI::Range(16, 32768))
+        ->type_name("PIXELS");
     command->add_option("--stats", options->stats, "Write counts, times and memory as JSON");
     command->footer("Example:\n  scree bake scenes/toys.lua -o toys.json --set seed=9");
     command->callback([options, &run] { run = [options] { return bake(*options); }; });

@@ -14,6 +14,7 @@ namespace scree {
 using Run = std::function<int()>;
 
 void add_render_command(CLI::App& app, Run& run);
+void add_analyse_command(CLI::App& app, Run& run);
 void add_bake_command(CLI::App& app, Run& run);
 void add_height_command(CLI::App& app, Run& run);
 void add_view_command(CLI::App& app, Run& run);

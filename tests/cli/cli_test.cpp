@@ -69,7 +69,7 @@ TEST_F(Cli, WithoutACommandItShowsHelpAndFails) {
 }
 
 TEST_F(Cli, EveryCommandHasHelpWithAnExample) {
-    for (const char* command : {"render", "bake", "view", "diff", "check", "list"}) {
+    for (const char* command : {"render", "bake", "analyse", "view", "diff", "check", "list"}) {
         const Outcome outcome = run(std::string(command) + " --help");
         EXPECT_EQ(outcome.code, 0) << command;
         EXPECT_NE(outcome.out.find("Example:\n  scree " + std::string(command)), std::string::npos)
@@ -94,8 +94,10 @@ TEST_F(Cli, BadValuesOfOptionsAreUsageErrors) {
          {"render small.lua --spp 0", "render small.lua --spp many", "render small.lua --size 0x10",
           "render small.lua --size wide", "render small.lua --crop 0,0,900,900",
           "render small.lua --aov depth", "render small.lua --set seed", "render",
-          "render small.lua -o picture.jpg", "bake small.lua -o layout.xyz", "bake small.lua",
-          "view none.exr -o a.tiff", "list mesh.banan"}) {
+          "render small.lua -o picture.jpg", "analyse small.lua -o report.txt",
+          "analyse small.lua --seeds 0", "bake small.lua -o a.png --size 3",
+          "bake small.lua -o layout.xyz", "bake small.lua", "view none.exr -o a.tiff",
+          "list mesh.banan"}) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
         EXPECT_FALSE(outcome.err.empty()) << arguments;
@@ -188,6 +190,68 @@ TEST_F(Cli, BakedFileHoldsTheBindingKeys) {
         EXPECT_NEAR(m[8].get<double>(), scale * std::sin(angle), 1e-5);
         EXPECT_NEAR(m[5].get<double>(), scale, 1e-5);
     }
+}
+
+TEST_F(Cli, BakeDrawsTheLayoutFromAbove) {
+    ASSERT_EQ(run("bake small.lua -o a.svg").code, 0);
+    ASSERT_EQ(run("bake small.lua -o a.png --size 300").code, 0);
+    ASSERT_EQ(run("bake small.lua -o a.json").code, 0);
+    const std::string svg = read_file(path("a.svg"));
+    const auto root = nlohmann::json::parse(read_file(path("a.json")));
+    std::size_t uses = 0;
+    for (std::size_t at = 0; (at = svg.find("<use ", at)) != std::string::npos; ++at)
+        ++uses;
+    EXPECT_EQ(uses, root["aggregates"][0]["instances"].size());
+    const Image image = read_image(path("a.png"));
+    EXPECT_EQ(image.width, 300);
+    EXPECT_EQ(image.height, 300);
+    const Outcome outcome = run("bake small.lua -o layout.xyz");
+    EXPECT_EQ(outcome.err, "layout.xyz: cannot bake to .xyz; expected one of .json, .svg, .png\n");
+}
+
+TEST_F(Cli, AnalyseSaysTheSameOfASceneAndOfItsBakedFile) {
+    ASSERT_EQ(run("analyse small.lua -o a.json").code, 0);
+    ASSERT_EQ(run("bake small.lua -o baked.json").code, 0);
+    ASSERT_EQ(run("analyse baked.json -o b.json --threads 1").code, 0);
+    auto a = nlohmann::json::parse(read_file(path("a.json")));
+    auto b = nlohmann::json::parse(read_file(path("b.json")));
+    EXPECT_EQ(a["source"], "small.lua");
+    a.erase("source");
+    b.erase("source");
+    EXPECT_EQ(a, b);
+    const auto& report = a["aggregates"][0];
+    const auto baked = nlohmann::json::parse(read_file(path("baked.json")))["aggregates"][0];
+    EXPECT_EQ(report["layouts"][0]["count"], baked["instances"].size());
+    EXPECT_NEAR(report["layouts"][0]["fill"].get<double>(), baked["facts"]["fill"].get<double>(),
+                1e-5);
+    EXPECT_GT(report["layouts"][0]["largest_empty_circle"]["radius"].get<double>(), 0);
+    EXPECT_GT(read_image(path("a.png")).width, 1000);
+}
+
+TEST_F(Cli, AnalyseAveragesOverSeeds) {
+    ASSERT_EQ(run("analyse small.lua -o a.json --seeds 3").code, 0);
+    const auto report = nlohmann::json::parse(read_file(path("a.json")))["aggregates"][0];
+    ASSERT_EQ(report["layouts"].size(), 3U);
+    EXPECT_EQ(report["layouts"][0]["seed"], 3);
+    EXPECT_EQ(report["layouts"][2]["seed"], 5);
+    EXPECT_NE(report["layouts"][0]["fill"], report["layouts"][1]["fill"]);
+}
+
+TEST_F(Cli, AnalyseNamesWhatIsWrong) {
+    write_file(path("bad.json"), "{\"aggregates\": [{\"generator\": \"g\"}]}");
+    Outcome outcome = run("analyse bad.json -o a.json");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.err, "bad.json: aggregates[0].prototypes: is missing\n");
+    write_file(path("empty.json"), "{\"aggregates\": []}");
+    outcome = run("analyse empty.json -o a.json");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.err,
+              "empty.json: there is nothing to analyse; expected a generator with a domain\n");
+    outcome = run("analyse empty.json -o a.json --seeds 2");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "--seeds needs a scene: empty.json holds one layout\n");
+    EXPECT_EQ(run("analyse none.json -o a.json").err, "none.json: no such file\n");
+    EXPECT_EQ(run("analyse small.lua -o no/such/a.json").code, 3);
 }
 
 TEST_F(Cli, TheSameSceneAsJsonGivesTheSamePicture) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "analysis/report.h"
+
+#include <string>
+#include <vector>
+
+namespace scree {
+
+/// A report with the generator it is of.
+struct NamedReport {
+    std::string generator;
+    AnalysisReport report;
+};
+
+/// The text of `scree analyse` (docs/formats.md).
+std::string analysis_json(const std::vector<NamedReport>& reports, const std::string& source);
+
+} // namespace scree

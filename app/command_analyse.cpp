@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/plot_sheet.h"
+#include "app/analysis_json.h"
+#include "app/commands.h"
+#include "app/load.h"
+#include "core/file.h"
+#include "core/parallel.h"
+#include "formats/read_bake_json.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace scree {
+
+namespace {
+
+struct AnalyseOptions {
+    SceneOptions scene;
+    std::string output = "report.json";
+    int seeds = 1;
+};
+
+// Aggregates of all seeds: one list per seed, of the generators that have a domain.
+using Runs = std::vector<std::vector<Aggregate>>;
+
+std::vector<Aggregate> with_domain(std::vector<Aggregate> aggregates) {
+    std::erase_if(aggregates, [](const Aggregate& a) { return a.domain == nullptr; });
+    return aggregates;
+}
+
+Runs bake_seeds(const AnalyseOptions& options, Console& console, const Cancel& cancel) {
+    Runs runs;
+    SceneOptions scene = options.scene;
+    for (int i = 0; i < options.seeds; ++i) {
+        Stages stages;
+        runs.push_back(
+            with_domain(bake_scene(load_scene(scene, stages), scene, stages, console, cancel)));
+        if (runs[0].empty())
+            break;
+        scene.sets.push_back(fmt::format("seed={}", runs[0][0].seed + std::uint64_t(i) + 1));
+    }
+    return runs;
+}
+
+Runs runs_of(const AnalyseOptions& options, Console& console, const Cancel& cancel) {
+    if (extension(options.scene.path) == "json") {
+        const std::string text = read_file(options.scene.path);
+        if (is_bake_json(text)) {
+            if (options.seeds > 1)
+                throw Error::usage("--seeds needs a scene: " + options.scene.path +
+                                   " holds one layout");
+            return {with_domain(read_bake_json(text, options.scene.path))};
+        }
+    }
+    return bake_seeds(options, console, cancel);
+}
+
+// "report.png" for the first, then "report-2.png".
+std::string sheet_name(const std::string& output, std::size_t index) {
+    const std::string stem = output.substr(0, output.size() - extension(output).size() - 1);
+    return index == 0 ? stem + ".png" : fmt::format("{}-{}.png", stem, index + 1);
+}
+
+int run_analyse(const AnalyseOptions& options) {
+    if (extension(options.output) != "json")
+        throw Error::usage(options.output + ": expected a name that ends in .json");
+    check_writable(options.output);
+    check_writable(sheet_name(options.output, 0));
+    const ThreadLimit threads(options.scene.threads);
+    Console console(options.scene.quiet);
+    Cancel cancel;
+    const InterruptGuard guard(cancel);
+    const Runs runs = runs_of(options, console, cancel);
+    if (runs[0].empty())
+        throw Error(Diagnostic{{options.scene.path, 0},
+                               "",
+                               "there is nothing to analyse; expected a generator with a domain",
+                               ""});
+
+    std::vector<NamedReport> reports;
+    for (std::size_t g = 0; g < runs[0].size(); ++g) {
+        std::vector<PlacedRegions> layouts;
+        std::vector<std::uint64_t> seeds;
+        for (const std::vector<Aggregate>& run : runs) {
+            layouts.push_back(placed_regions(run[g]));
+            seeds.push_back(run[g].seed);
+        }
+        cancel.check();
+        reports.push_back({runs[0][g].generator, analyse(layouts, seeds)});
+        const std::string sheet = sheet_name(options.output, g);
+        write_png(sheet, plot_sheet(reports.back().report, layouts[0],
+                                    file_name(options.scene.path) + ": " + runs[0][g].generator));
+        console.say("wrote " + sheet);
+    }
+    write_file(options.output, analysis_json(reports, file_name(options.scene.path)));
+    console.say("wrote " + options.output);
+    return 0;
+}
+
+} // namespace
+
+void add_analyse_command(CLI::App& app, Run& run) {
+    auto options = std::make_shared<AnalyseOptions>();
+    CLI::App* command = app.add_subcommand(
+        "analyse", "Measure a layout: fill, gaps, pair correlation, power spectrum.");
+    options->scene.add_to(*command);
+    command->get_option("SCENE")->description("Scene (.lua, .json) or baked layout (.json)");
+    command->add_option("-o,--output", options->output,
+                        "File to write: .json, and plots of the same name as .png");
+    command
+        ->add_option(
+            "--seeds", options->seeds,
+            "Average over this many seeds from the scene's own; it needs arg(\"seed\", ...)")
+        ->check(CLI::Range(1, 10000))
+        ->type_name("N");
+    command->footer("Example:\n  scree analyse scenes/toys.lua -o report.json --seeds 10");
+    command->callback([options, &run] { run = [options] { return run_analyse(*options); }; });
+}
+
+} // namespace scree
