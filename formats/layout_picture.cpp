@@ -16,18 +16,9 @@ Box2 picture_box(std::span<const Aggregate> aggregates) {
             box.extendBy(bounds(*aggregate.domain));
         if (aggregate.torus)
             continue; // nothing is drawn outside
-        std::vector<Box2> own;
-        for (const Prototype& prototype : aggregate.prototypes)
-            own.push_back(prototype.region ? bounds(*prototype.region) : Box2());
-        for (const Instance& instance : aggregate.instances) {
-            const Box2& b = own[instance.prototype];
-            if (b.isEmpty())
-                continue;
-            // The box of the turned box; it is a little large, but the border is larger.
-            for (const Vec2& corner :
-                 {b.min, b.max, Vec2(b.min.x, b.max.y), Vec2(b.max.x, b.min.y)})
-                box.extendBy(ground_point(corner, instance.world_from_object));
-        }
+        for (const Instance& instance : aggregate.instances)
+            if (const auto& region = aggregate.prototypes[instance.prototype].region; region)
+                box.extendBy(bounds(ground_region(*region, instance.world_from_object)));
     }
     if (box.isEmpty())
         throw Error("there is nothing to see from above: no generator has a domain or regions");
