@@ -258,7 +258,7 @@ TEST(ImageOutline, BigImagesTakeSeconds) {
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     EXPECT_EQ(region.rings.size(), 2 * centres.size());
     EXPECT_NEAR(area(region) / want, 1, 0.02);
-    EXPECT_LT(seconds, 20); // 3 s of one core
+    EXPECT_LT(seconds, 20); // 6.6 s of a busy core were measured at -O1
     RecordProperty("seconds", std::to_string(seconds));
 }
 
