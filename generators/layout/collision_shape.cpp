@@ -29,7 +29,7 @@ CollisionShape::CollisionShape(const Region& region) {
     }
     disks_ = inscribed_disks(outline_, disk_count);
     inner_radius_ = disks_.empty() ? 0 : disks_.front().radius;
-    const EdgeChunk::Float4 nowhere = EdgeChunk::Float4{} + std::numeric_limits<float>::infinity();
+    const Float4 nowhere = Float4{} + std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < disks_.size(); ++i) {
         if (i % 4 == 0)
             disk_chunks_.push_back(DiskChunk{.x = nowhere, .y = nowhere, .radius = {}});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/region.h"
+#include "generators/layout/float4.h"
 #include "generators/layout/inscribed_disks.h"
 #include "generators/layout/pose.h"
 
@@ -11,8 +12,6 @@ namespace scree {
 
 /// Four neighbouring edges of an outline in structure-of-arrays form, one SSE register each.
 struct EdgeChunk {
-    using Float4 = float __attribute__((vector_size(16)));
-
     Float4 middle_x, middle_y;        // of the edge
     Float4 along_x, along_y;          // its direction, unit
     Float4 half;                      // of its length
@@ -40,7 +39,7 @@ class CollisionShape {
 
     /// The disks again in float, in fours and one by one; those that fill up lie at infinity.
     struct DiskChunk {
-        EdgeChunk::Float4 x, y, radius;
+        Float4 x, y, radius;
     };
     const std::vector<DiskChunk>& disk_chunks() const { return disk_chunks_; }
     struct FloatDisk {

@@ -131,9 +131,8 @@ Ring cut_off(const Ring& around, const Ring& seed, const Segment& s, double tole
 Ring grown(const Ring& seed, std::vector<Segment> outline, const Box2& box) {
     const double tolerance = 1e-9 * box.size().length();
     const Vec2 centre = bounds({.rings = {seed}, .vertices = {}, .triangles = {}}).center();
-    std::ranges::stable_sort(outline, {}, [&](const Segment& s) {
-        return segment_distance(centre, s.from, s.to);
-    });
+    std::ranges::stable_sort(
+        outline, {}, [&](const Segment& s) { return segment_distance(centre, s.from, s.to); });
     Ring result = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
     for (const Segment& s : outline)
         if (enters(s, result, tolerance))

@@ -18,10 +18,9 @@ void place_sparsely(const LayoutProblem& problem, std::uint64_t cancellations,
         Random random(problem.seed, Purpose::layout_sparse, i);
         const std::optional<Dart> dart =
             throw_dart_at(problem, counts.trials, problem.domain.sample(random));
-        const bool is_placed =
-            dart && placements.keeps_distance(dart->pose.position, distance) &&
-            problem.domain.accepts(problem.shapes[dart->component], dart->pose,
-                                   problem.clearance() + dart->margin);
+        const bool is_placed = dart && placements.keeps_distance(dart->pose.position, distance) &&
+                               problem.domain.accepts(problem.shapes[dart->component], dart->pose,
+                                                      problem.clearance() + dart->margin);
         ++counts.trials;
         if (is_placed) {
             placements.place(*dart);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/layout/layout_generator.h"
 
+#include "generators/layout/layout_specs.h"
 #include "generators/layout/method.h"
 #include "generators/layout/prototypes.h"
+
+#include <fmt/format.h>
 
 #include <chrono>
 
@@ -10,11 +13,44 @@ namespace scree {
 
 namespace {
 
+Inside inside_of(const Params& params) {
+    if (params.flag("torus"))
+        return Inside::torus;
+    return params.text("inside") == "whole" ? Inside::whole : Inside::centre;
+}
+
+Range rotation_of(const Params& params) {
+    if (params.has("rotation"))
+        return params.range("rotation");
+    return params.has("direction") ? Range{0, 0} : Range{0, 2 * pi};
+}
+
+LayoutFields fields_of(const Params& params) {
+    const auto field = [&](const char* name) {
+        return params.has(name) ? params.field(name) : nullptr;
+    };
+    return {field("direction"), field("scale_by"), field("density"), field("classes")};
+}
+
+void check_torus(const Params& params, const LayoutProblem& problem) {
+    const Region& domain = problem.domain.region();
+    const Vec2 size = problem.domain.box().size();
+    if (domain.rings.size() != 1 || domain.rings[0].size() != 4 ||
+        area(domain) < size.x * size.y * (1 - 1e-9))
+        throw params.error("torus", "the domain is no rectangle along x and z; only such tile");
+    const double least = 4 * (problem.largest_radius() + problem.largest_margin());
+    if (std::min(size.x, size.y) < least)
+        throw params.error("torus",
+                           fmt::format("the domain is {:.4g} m wide; with these components "
+                                       "it must be {:.4g} m, so that none meets itself",
+                                       std::min(size.x, size.y), least));
+}
+
 LayoutProblem problem_from(const Params& params, const std::vector<Prototype>& prototypes) {
     LayoutProblem problem{
-        .domain = DomainTest(params.region("domain"),
-                             params.text("inside") == "whole" ? Inside::whole : Inside::centre),
-        .rotation = params.range("rotation"),
+        .domain = DomainTest(params.region("domain"), inside_of(params)),
+        .fields = fields_of(params),
+        .rotation = rotation_of(params),
         .scale = params.range("scale"),
         .seed = static_cast<std::uint64_t>(params.integer("seed")),
     };
@@ -26,7 +62,14 @@ LayoutProblem problem_from(const Params& params, const std::vector<Prototype>& p
         problem.shapes.emplace_back(*prototypes[i].region);
         problem.weights.push_back(components[i].number("weight"));
         weights_differ = weights_differ || problem.weights[i] != problem.weights[0];
+        if (problem.fields.density)
+            problem.margins.push_back(components[i].number("margin"));
+        problem.classes.push_back(components[i].has("class")
+                                      ? static_cast<long>(components[i].integer("class"))
+                                      : static_cast<long>(i) + 1);
     }
+    if (problem.domain.is_torus())
+        check_torus(params, problem);
     const std::string selection = params.has("selection") ? params.text("selection")
                                   : weights_differ        ? "weighted"
                                                           : "cyclic";
@@ -73,32 +116,52 @@ Facts facts_of(const LayoutProblem& problem, const std::vector<double>& bare_are
             {"fill_with_margin", exclusive / domain},
             {"trials", double(counts.trials)},
             {"cancellations", double(counts.cancellations)},
-            {"queries", double(placements.queries())},
+            {"queries", double(placements.queries() + counts.queries)},
             {"seconds", seconds}};
+}
+
+void add_certificate(const Certificate& certificate, Facts& facts) {
+    facts.insert(facts.end() - 1,
+                 {{"epsilon", certificate.epsilon},
+                  {"cells", double(certificate.cells)},
+                  {"undecided", double(certificate.undecided)},
+                  {"certified", certificate.undecided == 0 && certificate.is_complete ? 1.0 : 0.0},
+                  {"certificate_seconds", certificate.seconds}});
 }
 
 Aggregate bake_layout(const Params& params, const Context& context) {
     const auto start = std::chrono::steady_clock::now();
     if (!(area(*params.region("domain")) > 0))
         throw params.error("domain", "the domain has no area");
-    Components components = components_from(params.list("components"));
+    Components components = components_from(
+        params.list("components"), params.has("density") ? Margins::by_place : Margins::in_regions);
     const LayoutProblem problem = problem_from(params, components.prototypes);
     Placements placements(problem);
     MethodCounts counts;
-    const bool is_naive = params.text("method") == "naive";
+    const std::string& method = params.text("method");
+    std::optional<Certificate> certificate;
     const auto cancellations =
         static_cast<std::uint64_t>(params.has("cancellations") ? params.integer("cancellations")
-                                   : is_naive                  ? 10000
+                                   : method == "naive"         ? 10000
                                                                : 200);
-    if (is_naive)
+    if (method == "naive") {
         counts = fill_naive(problem, cancellations, placements, context);
-    else
+    } else if (method == "saturated") {
+        const double epsilon = params.number("epsilon") * problem.smallest_inner_radius();
+        try {
+            counts = fill_saturated(problem, {.epsilon = epsilon}, placements,
+                                    certificate.emplace(), context);
+        } catch (const Error& error) {
+            throw params.error("epsilon", error.diagnostics().front().message);
+        }
+    } else {
         counts = fill_gap(problem,
                           {.cancellations = cancellations,
                            .candidates = static_cast<std::size_t>(params.integer("candidates")),
                            .exponent = static_cast<std::uint32_t>(params.integer("exponent")),
                            .resolution = static_cast<int>(params.integer("resolution"))},
                           placements, context);
+    }
 
     const Layout layout = placements.layout(params.region("domain"));
     Aggregate aggregate;
@@ -107,116 +170,12 @@ Aggregate bake_layout(const Params& params, const Context& context) {
     aggregate.prototypes = std::move(components.prototypes);
     aggregate.instances = instances_of(problem, layout, params.list("components"));
     aggregate.domain = layout.domain;
+    aggregate.torus = problem.domain.is_torus();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     aggregate.facts = facts_of(problem, components.bare_areas, placements, counts, seconds.count());
+    if (certificate)
+        add_certificate(*certificate, aggregate.facts);
     return aggregate;
-}
-
-std::vector<ParamSpec> component_specs() {
-    return {
-        {.name = "shape",
-         .type = ParamType::shape,
-         .doc = "What is placed: a mesh, or a region, which becomes a flat mesh."},
-        {.name = "region",
-         .type = ParamType::region,
-         .doc = "The exclusive region in place of the shape's own; for a mesh that is its "
-                "silhouette from above.",
-         .optional = true},
-        {.name = "material",
-         .type = ParamType::material,
-         .doc = "Its material.",
-         .fallback = MaterialId{}},
-        {.name = "weight",
-         .type = ParamType::number,
-         .doc = "How often it is tried, relative to the others.",
-         .fallback = 1.0,
-         .min = 0.0,
-         .max = 1e6,
-         .above_min = true},
-        {.name = "margin",
-         .type = ParamType::number,
-         .doc = "Grows the exclusive region all round, or shrinks it when negative, before "
-                "scaling.",
-         .unit = "m",
-         .fallback = 0.0},
-        {.name = "height",
-         .type = ParamType::number,
-         .doc = "Lifts the component above the ground.",
-         .unit = "m",
-         .fallback = 0.0},
-    };
-}
-
-std::vector<ParamSpec> layout_specs() {
-    return {
-        {.name = "method",
-         .type = ParamType::choice,
-         .doc = "naive: random darts; fill_gap: darts where the gaps are wide.",
-         .fallback = std::string("fill_gap"),
-         .choices = {"naive", "fill_gap"}},
-        {.name = "domain", .type = ParamType::region, .doc = "Where elements may lie."},
-        {.name = "components",
-         .type = ParamType::list,
-         .doc = "What is placed.",
-         .fields = component_specs(),
-         .min_items = 1},
-        {.name = "selection",
-         .type = ParamType::choice,
-         .doc = "cyclic: each trial takes the next component; weighted: at random by weight. "
-                "Cyclic unless the weights differ.",
-         .optional = true,
-         .choices = {"cyclic", "weighted"}},
-        {.name = "inside",
-         .type = ParamType::choice,
-         .doc = "whole: no part of a region sticks out of the domain; centre: its centre may not.",
-         .fallback = std::string("whole"),
-         .choices = {"whole", "centre"}},
-        {.name = "rotation",
-         .type = ParamType::range,
-         .doc = "Angles, from +x towards +z.",
-         .unit = "deg",
-         .fallback = Range{0, 2 * pi}},
-        {.name = "scale",
-         .type = ParamType::range,
-         .doc = "Uniform scales.",
-         .fallback = Range{1, 1},
-         .min = 1e-6,
-         .max = 1e6},
-        {.name = "seed",
-         .type = ParamType::integer,
-         .doc = "Another seed, another layout.",
-         .fallback = std::int64_t{0},
-         .min = 0.0},
-        {.name = "cancellations",
-         .type = ParamType::integer,
-         .doc = "Cancelled trials in a row that end the work: 10000 for naive, 200 for fill_gap.",
-         .optional = true,
-         .min = 1.0,
-         .max = 1e12},
-        {.name = "candidates",
-         .type = ParamType::integer,
-         .doc = "fill_gap: points tried per distance field.",
-         .fallback = std::int64_t{100},
-         .min = 1.0,
-         .max = 1e6},
-        {.name = "exponent",
-         .type = ParamType::integer,
-         .doc = "fill_gap: power of the normalised distance that is a pixel's probability.",
-         .fallback = std::int64_t{16},
-         .min = 0.0,
-         .max = 1024.0},
-        {.name = "resolution",
-         .type = ParamType::integer,
-         .doc = "fill_gap: pixels of the distance field along the domain's longest side.",
-         .fallback = std::int64_t{512},
-         .min = 16.0,
-         .max = 8192.0},
-        {.name = "max_count",
-         .type = ParamType::integer,
-         .doc = "Stops at this many elements.",
-         .optional = true,
-         .min = 0.0},
-    };
 }
 
 } // namespace

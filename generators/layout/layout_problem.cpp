@@ -125,12 +125,12 @@ bool LayoutProblem::has_class(std::uint32_t component, const Vec2& point) const 
 }
 
 Dart LayoutProblem::dart(std::uint32_t component, const Vec2& position, double turn,
-                         double scale) const {
+                         double size) const {
     const double direction = fields.direction ? radians(fields.direction->at(position)) : 0;
     const double factor = fields.scale ? fields.scale->at(position) : 1;
     const double density = fields.density ? fields.density->at(position) : 1;
-    const double margin = margins.empty() ? 0 : margins[component] * scale * factor * density;
-    return {component, Pose(position, direction + turn, scale * factor), margin};
+    const double margin = margins.empty() ? 0 : margins[component] * size * factor * density;
+    return {component, Pose(position, direction + turn, size * factor), margin};
 }
 
 double LayoutProblem::clearance() const {

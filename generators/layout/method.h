@@ -23,12 +23,13 @@ struct Certificate {
     double epsilon = 0;          // nothing fits anywhere with this clearance [m]
     std::uint64_t cells = 0;     // intervals of angle and scale over an area, examined for it
     std::uint64_t undecided = 0; // areas where neither could be shown; 0 makes it a proof
+    bool is_complete = false;    // not ended by a limit to the number of elements
     double seconds = 0;
 };
 
 struct SaturatedSettings {
-    double epsilon = 0;   // [m]
-    double darts = 120;   // thrown for each element that the domain has area for, before the search
+    double epsilon = 0; // [m]
+    double darts = 30;  // thrown for each element that the domain has area for, before the search
 };
 
 /// Fills the domain until no component of any kind fits anywhere, at any allowed angle and scale,

@@ -8,16 +8,7 @@ namespace scree {
 
 namespace {
 
-using Mask4 = std::int32_t __attribute__((vector_size(16)));
-
-constexpr float never = 1e30F; // the offset of a half-plane that holds everything
-
-Float4 maximum(const Float4& a, const Float4& b) { return a > b ? a : b; }
-Float4 minimum(const Float4& a, const Float4& b) { return a < b ? a : b; }
-
-Float4 absolute(const Float4& v) {
-    return reinterpret_cast<Float4>(reinterpret_cast<Mask4>(v) & (Mask4{} + 0x7FFFFFFF));
-}
+constexpr float never_near = 1e30F; // the offset of a half-plane that holds everything
 
 } // namespace
 
@@ -77,15 +68,14 @@ void PiecePool::add(const ConvexPiece& piece, double cosine, double sine, double
                        .corner_cosine = static_cast<float>(piece.corner_cosine)});
     for (std::size_t i = 0; i < piece.normals.size(); ++i) {
         if (i % 4 == 0) {
-            normal_x_.push_back({});
-            normal_y_.push_back({});
-            offset_.push_back(Float4{} + never);
+            normal_x_.push_back(Float4{});
+            normal_y_.push_back(Float4{});
+            offset_.push_back(Float4{} + never_near);
         }
         const Vec2 normal = turn(piece.normals[i]);
         normal_x_.back()[i % 4] = static_cast<float>(normal.x);
         normal_y_.back()[i % 4] = static_cast<float>(normal.y);
-        offset_.back()[i % 4] =
-            static_cast<float>(piece.offsets[i] * scale + normal.dot(position));
+        offset_.back()[i % 4] = static_cast<float>(piece.offsets[i] * scale + normal.dot(position));
     }
     for (const Vec2& v : piece.vertices)
         vertices_.emplace_back(turn(v) * scale + position);
@@ -97,53 +87,77 @@ void HalfPlanes::clear() {
     offset.clear();
 }
 
-void no_fit(const PiecePool& moving, const PiecePool::Piece& a, const TurnInterval& turn,
-            const PiecePool& fixed, const PiecePool::Piece& b, float clearance,
-            HalfPlanes& result) {
+NoFit no_fit(const PiecePool& moving, const PiecePool::Piece& a, const TurnInterval& turn,
+             const PiecePool& fixed, const PiecePool::Piece& b, float clearance,
+             float largest_clearance, const Imath::Box2f& box, HalfPlanes& result) {
     result.clear();
+    bool is_here = true;
+    const Vec2f centre = box.center(), half = box.size() * 0.5F;
     // Across the fixed piece's edges: the moving piece reaches at least as far towards the edge as
     // that of its vertices which is surest to. A vertex that stands at distance m along the inward
     // normal and t across it stands, turned by p, at m cos(p) - t sin(p).
     const Vec2f* const va = moving.vertices(a);
     for (std::uint32_t q = 0; q < b.quads; ++q) {
         const Float4 nx = fixed.normal_x(b)[q], ny = fixed.normal_y(b)[q];
-        Float4 reach = Float4{} - never;
+        Float4 reach = Float4{} - never_near, most = reach;
         for (std::uint32_t i = 0; i < a.vertices; ++i) {
             const Float4 m = -(nx * va[i].x + ny * va[i].y);
             const Float4 t = nx * va[i].y - ny * va[i].x;
-            const Float4 least =
-                m - absolute(m) * (1 - turn.cosine) - absolute(t) * turn.sine;
+            const Float4 change = absolute(m) * (1 - turn.cosine) + absolute(t) * turn.sine;
+            const Float4 least = m - change, greatest = m + change;
             reach = maximum(reach, minimum(least * turn.low, least * turn.high));
+            most = maximum(most, maximum(greatest * turn.low, greatest * turn.high));
         }
+        const Float4 offset = fixed.offset(b)[q];
+        const Float4 nearest =
+            nx * centre.x + ny * centre.y - absolute(nx) * half.x - absolute(ny) * half.y - offset;
+        if (any(nearest > most + largest_clearance))
+            return NoFit::never;
+        is_here = is_here && !any(nearest > reach + clearance);
         result.normal_x.push_back(nx);
         result.normal_y.push_back(ny);
-        result.offset.push_back(fixed.offset(b)[q] + reach + clearance);
+        result.offset.push_back(offset + reach + clearance);
     }
     // Across the moving piece's edges, whose normals turn: one vertex w of the fixed piece must lie
     // within at every angle. With y = x - w, -n(p) . y <= h at both ends of the interval with
     // h cos(half) in place of h implies it between them, where n(p) is a combination of the two
-    // with coefficients that add up to at most 1 / cos(half), and to at least 1.
+    // with coefficients that add up to at most 1 / cos(half), and to at least 1. The best w is that
+    // for which both hold farthest at the middle of the box.
     const Vec2f* const vb = fixed.vertices(b);
+    const float swing = turn.sine * ((centre - b.centre).length() + b.radius + half.length());
     for (std::uint32_t q = 0; q < a.quads; ++q) {
         const Float4 nx = moving.normal_x(a)[q], ny = moving.normal_y(a)[q];
-        Float4 best = Float4{} + never, wx{}, wy{};
+        Float4 best = Float4{} - never_near, wx{}, wy{};
+        Float4 nearest = Float4{} + never_near;
         for (std::uint32_t i = 0; i < b.vertices; ++i) {
-            const Float4 along = nx * vb[i].x + ny * vb[i].y;
-            const Mask4 nearer = along < best;
-            best = nearer ? along : best;
-            wx = nearer ? Float4{} + vb[i].x : wx;
-            wy = nearer ? Float4{} + vb[i].y : wy;
+            const float dx = vb[i].x - centre.x, dy = vb[i].y - centre.y;
+            const Float4 along = nx * dx + ny * dy, across = absolute(ny * dx - nx * dy);
+            const Float4 merit = -(along * turn.cosine + across * turn.sine);
+            const Mask4 better = merit > best;
+            best = better ? merit : best;
+            wx = better ? Float4{} + vb[i].x : wx;
+            wy = better ? Float4{} + vb[i].y : wy;
+            nearest = minimum(nearest, along);
         }
         const Float4 h0 = moving.offset(a)[q];
-        const Float4 h = minimum(h0 * turn.low, h0 * turn.high) + clearance;
+        const Float4 low = h0 * turn.low, high = h0 * turn.high;
+        if (any(nearest - absolute(nx) * half.x - absolute(ny) * half.y - swing >
+                maximum(low, high) + largest_clearance))
+            return NoFit::never;
+        const Float4 h = minimum(low, high) + clearance;
         const Float4 inset = minimum(h, h * turn.cosine);
         for (const float sine : {-turn.sine, turn.sine}) {
             const Float4 x = nx * turn.cosine - ny * sine, y = nx * sine + ny * turn.cosine;
+            const Float4 offset = inset - (x * wx + y * wy);
+            is_here = is_here && !any(-(x * centre.x + y * centre.y) - absolute(x) * half.x -
+                                          absolute(y) * half.y >
+                                      offset);
             result.normal_x.push_back(-x);
             result.normal_y.push_back(-y);
-            result.offset.push_back(inset - (x * wx + y * wy));
+            result.offset.push_back(offset);
         }
     }
+    return is_here ? NoFit::found : NoFit::not_here;
 }
 
 } // namespace scree

@@ -5,12 +5,11 @@
 
 #include "core/math.h"
 #include "core/region.h"
+#include "generators/layout/float4.h"
 
 #include <vector>
 
 namespace scree {
-
-using Float4 = float __attribute__((vector_size(16)));
 
 /// A convex polygon in its shape's frame, as edges' outward normals and offsets. Sharp corners have
 /// further normals, so that moving every edge outwards by some length moves no corner by more than
@@ -72,11 +71,19 @@ struct HalfPlanes {
     void clear();
 };
 
+enum class NoFit {
+    never,    // whatever angle and scale of the interval: the polygon never reaches the box
+    not_here, // for the whole interval: this polygon does not
+    found
+};
+
 /// Positions of the moving piece, about whose frame's origin it turns and scales, at which it
 /// certainly comes nearer than `clearance` to the fixed piece at every angle and scale of the
 /// interval: a subset of the exact set, that approaches it as the interval shrinks and the corners
-/// are blunt. `moving` holds it at scale 1.
-void no_fit(const PiecePool& moving, const PiecePool::Piece& a, const TurnInterval& turn,
-            const PiecePool& fixed, const PiecePool::Piece& b, float clearance, HalfPlanes& result);
+/// are blunt. `moving` holds it at scale 1. Complete only when found; `box` is where it matters,
+/// and `clearance` at most that of any part of the box and interval.
+NoFit no_fit(const PiecePool& moving, const PiecePool::Piece& a, const TurnInterval& turn,
+             const PiecePool& fixed, const PiecePool::Piece& b, float clearance,
+             float largest_clearance, const Imath::Box2f& box, HalfPlanes& result);
 
 } // namespace scree

@@ -9,9 +9,6 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-Float4 maximum(const Float4& a, const Float4& b) { return a > b ? a : b; }
-Float4 minimum(const Float4& a, const Float4& b) { return a < b ? a : b; }
-
 struct Split {
     Fragment inside, outside;
     bool full = false; // more corners than a fragment can have
@@ -49,13 +46,9 @@ Split split(const Fragment& f, float nx, float ny, float offset) {
     return result;
 }
 
+// A convex polygon's area is at least half its longest extent times its width across.
 bool is_sliver(const Fragment& f, float sliver) {
-    if (f.count < 3)
-        return true;
-    const Imath::Box2f box = f.box();
-    const Vec2f size = box.size();
-    // A convex polygon's area is at least half its longest extent times its width across.
-    return f.area() < 0.5F * sliver * std::max(size.x, size.y);
+    return f.area() < sliver * std::max(f.half.x, f.half.y);
 }
 
 } // namespace
@@ -103,11 +96,12 @@ Vec2f Fragment::at(float u, float v) const {
     return {x[0], y[0]};
 }
 
-Imath::Box2f Fragment::box() const {
-    Imath::Box2f result;
+void Fragment::close() {
+    Imath::Box2f box;
     for (int i = 0; i < count; ++i)
-        result.extendBy(Vec2f(x[index(i)], y[index(i)]));
-    return result;
+        box.extendBy(Vec2f(x[index(i)], y[index(i)]));
+    centre = box.center();
+    half = box.size() * 0.5F;
 }
 
 Fragment box_fragment(const Imath::Box2f& box) {
@@ -116,16 +110,25 @@ Fragment box_fragment(const Imath::Box2f& box) {
     result.add(box.max.x, box.min.y);
     result.add(box.max.x, box.max.y);
     result.add(box.min.x, box.max.y);
+    result.close();
     return result;
 }
 
 Fragment part_of(const Fragment& fragment, float normal_x, float normal_y, float offset) {
-    const Split parts = split(fragment, normal_x, normal_y, offset);
+    Split parts = split(fragment, normal_x, normal_y, offset);
+    parts.inside.close();
     return parts.full ? fragment : parts.inside;
 }
 
 bool subtract(const Fragment& fragment, const HalfPlanes& polygon, float sliver,
               std::vector<Fragment>& rest) {
+    for (std::size_t q = 0; q < polygon.offset.size(); ++q) {
+        const Float4 nx = polygon.normal_x[q], ny = polygon.normal_y[q];
+        const Float4 low = nx * fragment.centre.x + ny * fragment.centre.y -
+                           absolute(nx) * fragment.half.x - absolute(ny) * fragment.half.y;
+        if (any(low >= polygon.offset[q]))
+            return false;
+    }
     struct Cut {
         float depth, x, y, offset;
     };
@@ -142,10 +145,8 @@ bool subtract(const Fragment& fragment, const HalfPlanes& polygon, float sliver,
         }
         for (int lane = 0; lane < 4; ++lane) {
             const float offset = polygon.offset[q][lane];
-            if (low[lane] >= offset || (high[lane] > offset && count == most)) {
-                rest.push_back(fragment); // apart, or too many cuts to be worth it
-                return false;
-            }
+            if (low[lane] >= offset || (high[lane] > offset && count == most))
+                return false; // apart, or too many cuts to be worth it
             if (high[lane] > offset)
                 cuts[index(count++)] = {high[lane] - offset, nx[lane], ny[lane], offset};
         }
@@ -157,14 +158,16 @@ bool subtract(const Fragment& fragment, const HalfPlanes& polygon, float sliver,
     Fragment inside = fragment;
     for (int k = 0; k < count; ++k) {
         const Cut& c = cuts[index(k)];
-        const Split parts = split(inside, c.x, c.y, c.offset);
+        Split parts = split(inside, c.x, c.y, c.offset);
         if (parts.full || parts.inside.count < 3) {
             rest.resize(before);
-            rest.push_back(fragment);
             return false;
         }
-        if (!is_sliver(parts.outside, sliver))
-            rest.push_back(parts.outside);
+        if (parts.outside.count >= 3) {
+            parts.outside.close();
+            if (!is_sliver(parts.outside, sliver))
+                rest.push_back(parts.outside);
+        }
         inside = parts.inside;
     }
     return true;

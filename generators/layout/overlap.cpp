@@ -5,21 +5,6 @@ namespace scree {
 
 namespace {
 
-using Float4 = EdgeChunk::Float4;
-using Mask4 = std::int32_t __attribute__((vector_size(16)));
-
-using Mask2 = std::int64_t __attribute__((vector_size(16)));
-
-bool any(const Mask4& mask) {
-    const auto halves = reinterpret_cast<Mask2>(mask);
-    return (halves[0] | halves[1]) != 0;
-}
-
-Float4 absolute(const Float4& v) {
-    const Mask4 all_but_sign = Mask4{} + 0x7FFFFFFF;
-    return reinterpret_cast<Float4>(reinterpret_cast<Mask4>(v) & all_but_sign);
-}
-
 /// From a's frame to b's, in float.
 struct Motion {
     float cosine, sine; // times the relative scale

@@ -90,17 +90,16 @@ bool Placements::any_near(const Vec2& point, double radius, const Visit& visit) 
 bool Placements::is_free(const Dart& dart, std::uint64_t& queries) const {
     const CollisionShape& shape = problem_.shapes[dart.component];
     const double radius = shape.radius() * dart.pose.scale + dart.margin;
-    return !any_near(
-               dart.pose.position, radius + clearance_,
-               [&](std::uint32_t i, const Vec2& offset) {
-                   const double reach = radius + radii_[i] + clearance_;
-                   if (offset.length2() > reach * reach)
-                       return false;
-                   ++queries;
-                   return overlap(shape, dart.pose, problem_.shapes[darts_[i].component],
-                                  darts_[i].pose, offset,
-                                  clearance_ + dart.margin + darts_[i].margin);
-               }) &&
+    return !any_near(dart.pose.position, radius + clearance_,
+                     [&](std::uint32_t i, const Vec2& offset) {
+                         const double reach = radius + radii_[i] + clearance_;
+                         if (offset.length2() > reach * reach)
+                             return false;
+                         ++queries;
+                         return overlap(shape, dart.pose, problem_.shapes[darts_[i].component],
+                                        darts_[i].pose, offset,
+                                        clearance_ + dart.margin + darts_[i].margin);
+                     }) &&
            problem_.domain.accepts(shape, dart.pose, clearance_ + dart.margin);
 }
 
@@ -128,8 +127,7 @@ bool Placements::try_place(const Dart& dart) {
 }
 
 void Placements::place(const Dart& dart) {
-    const double radius =
-        problem_.shapes[dart.component].radius() * dart.pose.scale + dart.margin;
+    const double radius = problem_.shapes[dart.component].radius() * dart.pose.scale + dart.margin;
     Level& level = level_of(radius);
     const Vec2 p = dart.pose.position - problem_.domain.box().min;
     std::uint32_t& first = level.first[std::size_t(cell_of(p.y, level.size.y, level.height)) *

@@ -53,7 +53,7 @@ std::shared_ptr<const Region> with_margin(const Params& component,
 
 } // namespace
 
-Components components_from(const std::vector<Params>& components) {
+Components components_from(const std::vector<Params>& components, Margins margins) {
     Components result;
     for (std::size_t i = 0; i < components.size(); ++i) {
         const Params& component = components[i];
@@ -69,7 +69,10 @@ Components components_from(const std::vector<Params>& components) {
                 flat_mesh(*component.region("shape"), fmt::format("component_{}", i)));
         }
         prototype.name = prototype.mesh->name;
-        prototype.region = with_margin(component, bare);
+        if (margins == Margins::by_place && component.number("margin") < 0)
+            throw component.error("margin", "is below 0; a margin that the layout's density "
+                                            "multiplies can only grow the region");
+        prototype.region = margins == Margins::by_place ? bare : with_margin(component, bare);
         prototype.material = component.material("material");
         result.prototypes.push_back(std::move(prototype));
         result.bare_areas.push_back(area(*bare));

@@ -12,9 +12,14 @@ struct Components {
     std::vector<double> bare_areas; // of the regions without margin, at scale 1 [m^2]
 };
 
+enum class Margins {
+    in_regions, // the exclusive regions are grown or shrunk by them
+    by_place    // they are kept apart from them, since they vary
+};
+
 /// Reads shape, region, margin and material of each component. Throws Error, located, for a mesh
-/// without a silhouette and a margin that leaves nothing.
-Components components_from(const std::vector<Params>& components);
+/// without a silhouette, a margin that leaves nothing, and one below 0 that is to vary.
+Components components_from(const std::vector<Params>& components, Margins margins);
 
 /// Takes `centre` of a component's x-z plane to the origin, scales, turns from +x towards +z, moves
 /// to `position` and lifts by `height` [m]; y = 0 stays the ground.

@@ -69,12 +69,7 @@ class Filling {
                                                pass * count + tile));
                     work(*searches[i], tile);
                 });
-                for (const auto& search : searches) {
-                    for (const Dart& dart : search->placed())
-                        if (!placements_.full())
-                            placements_.place(dart);
-                    counts.add(search->counts());
-                }
+                place_in_turn(searches);
                 done += size;
             }
         }
@@ -83,6 +78,23 @@ class Filling {
     SearchCounts counts;
 
   private:
+    /// One element of each search after the other, so that a limit to their number leaves no tile
+    /// empty.
+    void place_in_turn(const std::vector<std::optional<SaturationSearch>>& searches) {
+        bool any = true;
+        for (std::size_t k = 0; any; ++k) {
+            any = false;
+            for (const auto& search : searches) {
+                if (k >= search->placed().size() || placements_.full())
+                    continue;
+                placements_.place(search->placed()[k]);
+                any = true;
+            }
+        }
+        for (const auto& search : searches)
+            counts.add(search->counts());
+    }
+
     const SearchProblem& problem_;
     const Tiles& tiles_;
     Placements& placements_;
@@ -100,16 +112,18 @@ std::vector<Root> roots_of(const LayoutProblem& problem, const Box2& tile, Rando
     for (std::uint32_t c = 0; c < problem.shapes.size(); ++c) {
         if (problem.weights[c] <= 0)
             continue;
-        // About an element's radius wide: few neighbours each, and most are soon done with.
-        const double wanted = 0.7 * problem.shapes[c].radius() * problem.scale.low *
-                              problem.scale_over(tile).low;
+        // Wider boxes have fewer neighbours for their area, narrower ones shorter lists of them.
+        // Measured: U, star, L, square need 1.2 to 1.7 times the work at 0.7, 1.0 to 1.1 at 2.8.
+        const double wanted =
+            1.6 * problem.shapes[c].radius() * problem.scale.low * problem.scale_over(tile).low;
         const Vec2 size = tile.size();
         const int columns = std::max(1, static_cast<int>(std::ceil(size.x / wanted)));
         const int rows = std::max(1, static_cast<int>(std::ceil(size.y / wanted)));
         const Vec2 step = size / Vec2(columns, rows);
         for (int y = 0; y < rows; ++y)
             for (int x = 0; x < columns; ++x)
-                roots.push_back({{tile.min + step * Vec2(x, y), tile.min + step * Vec2(x + 1, y + 1)}, c});
+                roots.push_back(
+                    {{tile.min + step * Vec2(x, y), tile.min + step * Vec2(x + 1, y + 1)}, c});
     }
     for (std::size_t i = roots.size(); i > 1; --i)
         std::swap(roots[i - 1], roots[random.below(static_cast<std::uint32_t>(i))]);
@@ -150,16 +164,17 @@ MethodCounts fill_saturated(const LayoutProblem& problem, const SaturatedSetting
     }
     const auto start = std::chrono::steady_clock::now();
     if (!placements.full())
-        filling.for_all_tiles(pass, "filling gaps", [&](SaturationSearch& search, std::size_t tile) {
-            Random random(problem.seed, Purpose::layout_order, tile);
-            for (const Root& root : roots_of(problem, tiles.box(tile), random)) {
-                context.check_cancel();
-                search.saturate(root.box, root.component);
-            }
-        });
+        filling.for_all_tiles(
+            pass, "filling gaps", [&](SaturationSearch& search, std::size_t tile) {
+                Random random(problem.seed, Purpose::layout_order, tile);
+                for (const Root& root : roots_of(problem, tiles.box(tile), random)) {
+                    context.check_cancel();
+                    search.saturate(root.box, root.component);
+                }
+            });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     certificate = {settings.epsilon, filling.counts.cells, filling.counts.undecided,
-                   seconds.count()};
+                   !placements.full(), seconds.count()};
     MethodCounts counts;
     counts.trials = filling.counts.darts;
     counts.cancellations = filling.counts.darts - placements.size();

@@ -39,8 +39,8 @@ bool SaturationSearch::try_dart(const Box2& box, std::uint64_t trial) {
         const CollisionShape& other_shape = layout_.shapes[other.component];
         const Vec2 offset = layout_.domain.nearest_image(position - other.pose.position);
         const double clearance = problem_.clearance + dart->margin + other.margin;
-        const double reach = shape.radius() * dart->pose.scale +
-                             other_shape.radius() * other.pose.scale + clearance;
+        const double reach =
+            shape.radius() * dart->pose.scale + other_shape.radius() * other.pose.scale + clearance;
         if (offset.length2() > reach * reach)
             continue;
         ++counts_.queries;
@@ -53,16 +53,21 @@ bool SaturationSearch::try_dart(const Box2& box, std::uint64_t trial) {
 
 void SaturationSearch::add_neighbour(const Dart& dart, const Vec2& offset) {
     neighbours_.push_back({dart, offset});
-    const std::size_t first = fixed_.size();
-    for (const ConvexPiece& piece : problem_.shapes[dart.component].pieces)
-        fixed_.add(piece, dart.pose.cosine, dart.pose.sine, dart.pose.scale, offset);
-    pieces_of_.emplace_back(first, fixed_.size());
+    const SearchShape& shape = problem_.shapes[dart.component];
+    const Pose& pose = dart.pose;
+    const std::size_t first = fine_.fixed.size();
+    for (const ConvexPiece& piece : shape.pieces)
+        fine_.fixed.add(piece, pose.cosine, pose.sine, pose.scale, offset);
+    for (const ConvexPiece& piece : shape.coarse)
+        coarse_.fixed.add(piece, pose.cosine, pose.sine, pose.scale, offset);
+    pieces_of_.emplace_back(first, fine_.fixed.size());
 }
 
 void SaturationSearch::gather(const Box2& box, double reach) {
     neighbours_.clear();
     pieces_of_.clear();
-    fixed_.clear();
+    fine_.fixed.clear();
+    coarse_.fixed.clear();
     found_.clear();
     centre_ = box.center();
     const double radius = box.size().length() / 2 + reach;
@@ -79,11 +84,14 @@ void SaturationSearch::gather(const Box2& box, double reach) {
         if (offset.length2() <= sum * sum)
             add(dart);
     }
-    const std::size_t first = fixed_.size();
-    for (const ConvexPiece& piece : problem_.outside)
-        if (piece.is_near(centre_, radius))
-            fixed_.add(piece, 1, 0, 1, -centre_);
-    outside_ = {first, fixed_.size()};
+    const std::size_t first = fine_.fixed.size();
+    for (const ConvexPiece& piece : problem_.outside) {
+        if (!piece.is_near(centre_, radius))
+            continue;
+        fine_.fixed.add(piece, 1, 0, 1, -centre_);
+        coarse_.fixed.add(piece, 1, 0, 1, -centre_);
+    }
+    outside_ = {first, fine_.fixed.size()};
 }
 
 void SaturationSearch::add_pairs(std::pair<std::size_t, std::size_t> pieces, double margin) {
@@ -96,13 +104,13 @@ void SaturationSearch::saturate(const Box2& box, std::uint32_t component) {
     component_ = component;
     const SearchShape& shape = problem_.shapes[component];
     const Range scales = layout_.scale_over(box);
-    const Range range = {layout_.scale.low, shape.smaller_is_easier ? layout_.scale.low
-                                                                    : layout_.scale.high};
+    const Range range = {layout_.scale.low,
+                         shape.smaller_is_easier ? layout_.scale.low : layout_.scale.high};
     Cell cell{.low = scales.low * range.low, .high = scales.high * range.high};
-    const double margin = layout_.margins.empty() ? 0
-                                                  : layout_.margins[component] * scales.high *
-                                                        layout_.scale.high *
-                                                        layout_.density_over(box).high;
+    const double margin = layout_.margins.empty()
+                              ? 0
+                              : layout_.margins[component] * scales.high * layout_.scale.high *
+                                    layout_.density_over(box).high;
     // Darts may be larger than what the search is about.
     gather(box, layout_.shapes[component].radius() * scales.high * layout_.scale.high + margin +
                     problem_.epsilon);
@@ -129,9 +137,9 @@ void SaturationSearch::saturate(const Box2& box, std::uint32_t component) {
             Fragment part = whole;
             for (std::size_t i = 0; i < piece.normals.size() && part.count >= 3; ++i) {
                 const Vec2f normal(piece.normals[i]);
-                part = part_of(part, normal.x, normal.y,
-                               static_cast<float>(piece.offsets[i] -
-                                                  piece.normals[i].dot(centre_)));
+                part =
+                    part_of(part, normal.x, normal.y,
+                            static_cast<float>(piece.offsets[i] - piece.normals[i].dot(centre_)));
             }
             if (part.count >= 3)
                 fragments_.push_back(part);
@@ -160,10 +168,12 @@ void SaturationSearch::examine(Cell cell, std::size_t parent_pair, std::size_t p
             while (is_open && wide.turn < problem_.dart_extent && throw_into(first_fragment, cell))
                 is_open = !cover_new(cell, first_fragment);
             if (is_open) {
-                if (wide.turn + wide.scale + wide.fields <= problem_.smallest_extent ||
-                    cell.depth > deepest)
-                    finish(cell, first_fragment);
-                else
+                // Where the middle is certainly free, or nearly so; a cell that is still open when
+                // it is much smaller cannot be decided.
+                const double motion = wide.turn + wide.scale + wide.fields;
+                const bool is_last =
+                    motion <= problem_.smallest_extent / 64 || cell.depth > deepest;
+                if (motion > problem_.smallest_extent || !finish(cell, first_fragment, is_last))
                     split(cell, first_fragment, wide);
             }
         }
@@ -194,8 +204,8 @@ bool SaturationSearch::is_allowed(Cell& cell) const {
     }
     if (fields.scale) {
         const Range factor = layout_.scale_over(box);
-        const double high = problem_.shapes[component_].smaller_is_easier ? layout_.scale.low
-                                                                          : layout_.scale.high;
+        const double high =
+            problem_.shapes[component_].smaller_is_easier ? layout_.scale.low : layout_.scale.high;
         cell.low = std::max(cell.low, factor.low * layout_.scale.low);
         cell.high = std::min(cell.high, factor.high * high);
     }
@@ -203,10 +213,13 @@ bool SaturationSearch::is_allowed(Cell& cell) const {
 }
 
 void SaturationSearch::turn_pieces(const Cell& cell) {
-    moving_.clear();
+    fine_.moving.clear();
+    coarse_.moving.clear();
     const double cosine = std::cos(cell.angle), sine = std::sin(cell.angle);
     for (const ConvexPiece& piece : problem_.shapes[component_].pieces)
-        moving_.add(piece, cosine, sine, 1, {0, 0});
+        fine_.moving.add(piece, cosine, sine, 1, {0, 0});
+    for (const ConvexPiece& piece : problem_.shapes[component_].coarse)
+        coarse_.moving.add(piece, cosine, sine, 1, {0, 0});
 }
 
 /// Lists the pairs that may matter in the cell: of its parent's, and of what was placed since.
@@ -216,8 +229,8 @@ void SaturationSearch::take_pairs(const Cell& cell, std::size_t parent_pair,
     const auto half_angle = static_cast<float>(std::min(cell.half_angle, pi));
     const auto own = static_cast<float>(problem_.epsilon + problem_.largest_margin);
     const auto may_matter = [&](const Pair& pair) {
-        const PiecePool::Piece& a = moving_[pair.moving];
-        const PiecePool::Piece& b = fixed_[pair.fixed];
+        const PiecePool::Piece& a = fine_.moving[pair.moving];
+        const PiecePool::Piece& b = fine_.fixed[pair.fixed];
         const Vec2f target = b.centre - a.centre * ((low + high) / 2);
         const float slack = a.centre.length() * (high * half_angle + (high - low) / 2);
         const float reach = a.radius * high + b.radius + slack + own + pair.margin;
@@ -250,25 +263,43 @@ bool SaturationSearch::is_covered(Cell& cell, std::size_t first_fragment, std::s
     if (!layout_.margins.empty())
         margin = layout_.margins[component_] * cell.low * layout_.density_over(world(cell.box)).low;
     const double bare = problem_.epsilon - problem_.safety;
+    // Coarse pieces are within fine ones: what they are apart from, those may still reach.
+    const Extent wide = extent(cell);
+    const bool is_coarse = wide.turn + wide.scale > problem_.coarse_extent;
+    const Pools& pools = is_coarse ? coarse_ : fine_;
+    const auto largest = static_cast<float>(problem_.epsilon + problem_.largest_margin +
+                                            (is_coarse ? problem_.coarse_loss : 0));
     std::size_t useful = first_pair;
     for (std::size_t p = first_pair; p < pairs_.size(); ++p) {
         const Pair pair = pairs_[p];
-        const PiecePool::Piece& a = moving_[pair.moving];
-        const PiecePool::Piece& b = fixed_[pair.fixed];
+        const PiecePool::Piece& a = pools.moving[pair.moving];
+        const PiecePool::Piece& b = pools.fixed[pair.fixed];
         // Neighbouring normals of the sum are no farther apart than those of either.
         const float blunt = std::max(a.corner_cosine, b.corner_cosine);
         const float clearance = blunt * (static_cast<float>(bare + margin) + pair.margin);
-        no_fit(moving_, a, turn, fixed_, b, clearance, no_fit_);
-        ++counts_.no_fits;
+        const NoFit fit = no_fit(pools.moving, a, turn, pools.fixed, b, clearance,
+                                 largest + pair.margin, cell.box, no_fit_);
+        if (fit == NoFit::never) {
+            pairs_[p--] = pairs_.back();
+            pairs_.pop_back();
+        }
+        if (fit != NoFit::found)
+            continue;
         rest_.clear();
         bool any = false;
-        for (std::size_t i = first_fragment; i < fragments_.size(); ++i)
-            any = subtract(fragments_[i], no_fit_, problem_.sliver, rest_) || any;
+        for (std::size_t i = first_fragment; i < fragments_.size();) {
+            if (subtract(fragments_[i], no_fit_, problem_.sliver, rest_)) {
+                any = true;
+                fragments_[i] = fragments_.back();
+                fragments_.pop_back();
+            } else {
+                ++i;
+            }
+        }
         if (!any)
             continue;
-        fragments_.resize(first_fragment);
         fragments_.insert(fragments_.end(), rest_.begin(), rest_.end());
-        if (rest_.empty()) {
+        if (fragments_.size() == first_fragment) {
             // What covers this cell may well cover its siblings.
             for (std::size_t i = parent_pair; i < cell.first_pair; ++i) {
                 if (pairs_[i].moving == pair.moving && pairs_[i].fixed == pair.fixed) {
@@ -280,11 +311,11 @@ bool SaturationSearch::is_covered(Cell& cell, std::size_t first_fragment, std::s
             return true;
         }
         std::swap(pairs_[p], pairs_[useful++]);
+        cell.box.makeEmpty();
+        for (std::size_t i = first_fragment; i < fragments_.size(); ++i)
+            cell.box.extendBy(fragments_[i].box());
     }
     cell.fragments = fragments_.size() - first_fragment;
-    cell.box.makeEmpty();
-    for (std::size_t i = first_fragment; i < fragments_.size(); ++i)
-        cell.box.extendBy(fragments_[i].box());
     return false;
 }
 
@@ -391,15 +422,17 @@ bool SaturationSearch::throw_into(std::size_t first_fragment, const Cell& cell) 
     const double angle = cell.angle + cell.half_angle * random_.uniform(-1, 1);
     const double scale = random_.uniform(cell.low, cell.high);
     if (problem_.shapes[component_].smaller_is_easier && layout_.scale.high > layout_.scale.low) {
-        const double larger = random_.uniform(scale, scale / layout_.scale.low * layout_.scale.high);
+        const double larger =
+            random_.uniform(scale, scale / layout_.scale.low * layout_.scale.high);
         if (try_at(point, angle, larger) == Trial::placed)
             return true;
     }
     return try_at(point, angle, scale) == Trial::placed;
 }
 
-/// No motion in the cell exceeds the clearance: what is left of it is free at its middle.
-void SaturationSearch::finish(Cell& cell, std::size_t first_fragment) {
+/// No motion in the cell exceeds the clearance: what is left of it is free at its middle. Returns
+/// whether nothing is left, as is always so after the last attempt.
+bool SaturationSearch::finish(Cell& cell, std::size_t first_fragment, bool is_last) {
     while (fragments_.size() > first_fragment) {
         const Fragment fragment = fragments_.back();
         const double scale = (cell.low + cell.high) / 2;
@@ -410,13 +443,16 @@ void SaturationSearch::finish(Cell& cell, std::size_t first_fragment) {
             trial = try_at(fragment.at(u, v), cell.angle, scale);
             is_taken = is_taken || trial == Trial::taken;
         }
-        if (trial != Trial::placed) {
+        if (trial == Trial::placed) {
+            cover_new(cell, first_fragment);
+        } else if (is_taken && !is_last) {
+            return false;
+        } else {
             counts_.undecided += is_taken ? 1 : 0;
             fragments_.pop_back();
-        } else if (cover_new(cell, first_fragment)) {
-            return;
         }
     }
+    return true;
 }
 
 void SaturationSearch::split(const Cell& cell, std::size_t first_fragment, const Extent& wide) {

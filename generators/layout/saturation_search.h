@@ -9,7 +9,6 @@ namespace scree {
 
 struct SearchCounts {
     std::uint64_t cells = 0; // intervals of angle and scale over an area, examined
-    std::uint64_t no_fits = 0;
     std::uint64_t darts = 0;
     std::uint64_t queries = 0;
     std::uint64_t undecided = 0; // areas too small to go on with, where nothing could be placed
@@ -80,7 +79,7 @@ class SaturationSearch {
     bool throw_into(std::size_t first_fragment, const Cell& cell);
     Trial try_at(const Vec2f& point, double angle, double scale);
     bool is_free(const Dart& dart, const Vec2& offset);
-    void finish(Cell& cell, std::size_t first_fragment);
+    bool finish(Cell& cell, std::size_t first_fragment, bool is_last);
     void split(const Cell& cell, std::size_t first_fragment, const Extent& wide);
     Box2 world(const Imath::Box2f& box) const;
     bool has_fields() const {
@@ -103,7 +102,10 @@ class SaturationSearch {
     std::vector<Neighbour> neighbours_;
     std::vector<PieceSpan> pieces_of_; // per neighbour
     PieceSpan outside_;
-    PiecePool fixed_, moving_;
+    struct Pools {
+        PiecePool fixed, moving;
+    };
+    Pools fine_, coarse_;
 
     // Stacks: a cell's part lies above its parent's.
     std::vector<Fragment> fragments_;

@@ -72,6 +72,7 @@ double turn_period(const Region& region) {
 SearchProblem::SearchProblem(const LayoutProblem& problem, double wanted)
     : layout(problem), epsilon(wanted), clearance(problem.clearance()),
       largest_margin(problem.largest_margin()) {
+    const Box2 whole = problem.domain.box();
     const double radius = problem.largest_radius() + largest_margin;
     sliver = static_cast<float>(epsilon / 100);
     // Coordinates are about a box's centre and no larger than two elements; each no-fit polygon
@@ -80,8 +81,7 @@ SearchProblem::SearchProblem(const LayoutProblem& problem, double wanted)
     if (epsilon < 4 * (clearance + 32 * 0x1p-24 * 4 * radius))
         throw Error(fmt::format("epsilon, {:.3g} m, is too small beside elements of {:.3g} m; the "
                                 "least is {:.3g} m",
-                                epsilon, 2 * radius,
-                                4 * (clearance + 32 * 0x1p-24 * 4 * radius)));
+                                epsilon, 2 * radius, 4 * (clearance + 32 * 0x1p-24 * 4 * radius)));
     // Moving edges by the clearance and margins moves corners farther: the sharper, the less
     // accurately. A quarter of epsilon may be lost to that.
     const double margins = 2 * largest_margin;
@@ -91,9 +91,13 @@ SearchProblem::SearchProblem(const LayoutProblem& problem, double wanted)
     for (const CollisionShape& shape : problem.shapes) {
         SearchShape prepared;
         for (const Ring& ring : convex_cover(triangulate(shape.outline().rings))) {
-            const Ring simple = simplify_inward(ring, epsilon / (16 * problem.scale.high *
-                                                                 problem.scale_over(problem.domain.box()).high));
+            const Ring simple = simplify_inward(
+                ring, epsilon / (16 * problem.scale.high * problem.scale_over(whole).high));
             prepared.pieces.emplace_back(simple, std::max(corner, 1e-3));
+            const double coarse = 0.08 * shape.inner_radius();
+            coarse_loss = std::max(coarse_loss, 2 * coarse * problem.scale.high *
+                                                    problem.scale_over(whole).high);
+            prepared.coarse.emplace_back(simplify_inward(ring, coarse), pi);
             blunt = std::min(blunt, prepared.pieces.back().corner_cosine);
         }
         prepared.turn_radius = shape.radius();
@@ -111,6 +115,7 @@ SearchProblem::SearchProblem(const LayoutProblem& problem, double wanted)
     // the pieces were simplified by.
     const double net = blunt * (epsilon - safety + margins) - margins - clearance - epsilon / 8;
     smallest_extent = 0.8 * net;
+    coarse_extent = 0.15 * problem.smallest_inner_radius();
     dart_extent = 0.5 * problem.smallest_inner_radius();
 }
 

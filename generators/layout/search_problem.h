@@ -9,6 +9,7 @@ namespace scree {
 /// What the search for room knows of a component beforehand.
 struct SearchShape {
     std::vector<ConvexPiece> pieces; // together they cover its region, within a fraction of epsilon
+    std::vector<ConvexPiece> coarse; // in each of them one of fewer corners, for wide cells
     double turn_period = 2 * pi;     // the region looks the same after turning by this [rad]
     double turn_radius = 0;          // of its farthest point from the centre of transformation [m]
     bool smaller_is_easier = false;  // what has room for it has room for it at smaller scales
@@ -28,7 +29,9 @@ struct SearchProblem {
     float sliver = 0;           // areas thinner than this are as good as none [m]
     double smallest_extent = 0; // motion within a cell whose middle is certainly free [m]
     double dart_extent = 0;     // motion within a cell worth a dart [m]
-    double place_share = 3;     // how much wider than its turn a cell may be
+    double coarse_loss = 0;     // what two of them may be farther apart than the pieces [m]
+    double coarse_extent = 0;   // motion from which on coarse pieces will do [m]
+    double place_share = 4;     // how much wider than its turn a cell may be
 
     /// `epsilon`: in metres. Throws Error when it is too small for float arithmetic.
     SearchProblem(const LayoutProblem& problem, double epsilon);
