@@ -67,6 +67,17 @@ Ring without_straight_corners(const Ring& ring) {
     return result;
 }
 
+/// A cut through a corner leaves points that rounding alone tells apart, and edges that have no
+/// direction.
+Ring without_near_points(const Ring& ring, double distance) {
+    Ring result;
+    for (const Vec2& v : ring)
+        if (result.empty() ||
+            ((v - result.back()).length() > distance && (v - result.front()).length() > distance))
+            result.push_back(v);
+    return result;
+}
+
 bool holds(const Ring& convex, const Ring& other, double tolerance) {
     for (std::size_t i = 0; i < convex.size(); ++i) {
         const Vec2& a = convex[i];
@@ -136,7 +147,7 @@ Ring grown(const Ring& seed, std::vector<Segment> outline, const Box2& box) {
     Ring result = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
     for (const Segment& s : outline)
         if (enters(s, result, tolerance))
-            result = cut_off(result, seed, s, tolerance);
+            result = without_near_points(cut_off(result, seed, s, tolerance), tolerance);
     return result;
 }
 

@@ -63,6 +63,21 @@ void SaturationSearch::add_neighbour(const Dart& dart, const Vec2& offset) {
     pieces_of_.emplace_back(first, fine_.fixed.size());
 }
 
+/// On a torus, several images of one element may reach into a box.
+void SaturationSearch::add_neighbours(const Dart& dart) {
+    const Vec2 nearest = layout_.domain.nearest_image(dart.pose.position - centre_);
+    const double reach =
+        reach_ + layout_.shapes[dart.component].radius() * dart.pose.scale + dart.margin;
+    const Vec2 period = layout_.domain.box().size();
+    const int images = layout_.domain.is_torus() ? 1 : 0;
+    for (int y = -images; y <= images; ++y)
+        for (int x = -images; x <= images; ++x) {
+            const Vec2 offset = images == 0 ? nearest : nearest + period * Vec2(x, y);
+            if (offset.length2() <= reach * reach)
+                add_neighbour(dart, offset);
+        }
+}
+
 void SaturationSearch::gather(const Box2& box, double reach) {
     neighbours_.clear();
     pieces_of_.clear();
@@ -70,23 +85,15 @@ void SaturationSearch::gather(const Box2& box, double reach) {
     coarse_.fixed.clear();
     found_.clear();
     centre_ = box.center();
-    const double radius = box.size().length() / 2 + reach;
-    others_.gather(centre_, radius, found_);
-    const auto add = [&](const Dart& dart) {
-        add_neighbour(dart, layout_.domain.nearest_image(dart.pose.position - centre_));
-    };
+    reach_ = box.size().length() / 2 + reach;
+    others_.gather(centre_, reach_, found_);
     for (const std::uint32_t i : found_)
-        add(others_.darts()[i]);
-    for (const Dart& dart : placed_) {
-        const Vec2 offset = layout_.domain.nearest_image(dart.pose.position - centre_);
-        const double sum =
-            radius + layout_.shapes[dart.component].radius() * dart.pose.scale + dart.margin;
-        if (offset.length2() <= sum * sum)
-            add(dart);
-    }
+        add_neighbours(others_.darts()[i]);
+    for (const Dart& dart : placed_)
+        add_neighbours(dart);
     const std::size_t first = fine_.fixed.size();
     for (const ConvexPiece& piece : problem_.outside) {
-        if (!piece.is_near(centre_, radius))
+        if (!piece.is_near(centre_, reach_))
             continue;
         fine_.fixed.add(piece, 1, 0, 1, -centre_);
         coarse_.fixed.add(piece, 1, 0, 1, -centre_);
@@ -402,7 +409,7 @@ SaturationSearch::Trial SaturationSearch::try_at(const Vec2f& point, double angl
     if (!is_free(dart, offset))
         return Trial::taken;
     placed_.push_back(dart);
-    add_neighbour(dart, offset);
+    add_neighbours(dart);
     return Trial::placed;
 }
 

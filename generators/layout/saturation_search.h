@@ -66,6 +66,7 @@ class SaturationSearch {
     static constexpr double widest_half_angle = 0.5; // beyond, no-fit polygons are mostly empty
 
     void gather(const Box2& box, double reach);
+    void add_neighbours(const Dart& dart);
     void add_neighbour(const Dart& dart, const Vec2& offset);
     void add_pairs(PieceSpan pieces, double margin);
     void examine(Cell cell, std::size_t parent_pair, std::size_t parent_neighbours);
@@ -98,6 +99,7 @@ class SaturationSearch {
     std::uint32_t component_ = 0;
     bool is_turned_freely_ = true;
     Vec2 centre_;
+    double reach_ = 0; // from the centre, of what matters in the box [m]
     std::vector<std::uint32_t> found_;
     std::vector<Neighbour> neighbours_;
     std::vector<PieceSpan> pieces_of_; // per neighbour

@@ -170,7 +170,7 @@ TEST_P(LayoutExact, RegionsAreApartAndInside) {
 
 INSTANTIATE_TEST_SUITE_P(All, LayoutExact,
                          testing::Combine(testing::Range<std::size_t>(0, 6),
-                                          testing::Values("naive", "fill_gap"),
+                                          testing::Values("naive", "fill_gap", "saturated"),
                                           testing::Values(1, 2)),
                          [](const auto& test) {
                              return cases()[std::get<0>(test.param)].name + "_" +
@@ -201,6 +201,34 @@ TEST(LayoutExactMixed, SmallThingsMayLieInRings) {
                           ? 1
                           : 0;
     EXPECT_GT(within, 0U);
+}
+
+TEST(LayoutExactMixed, OnATorusImagesAreApartToo) {
+    const auto domain = shared({rectangle_ring(2.5, 2)});
+    for (const std::string method : {"naive", "fill_gap", "saturated"}) {
+        Params params = tests::layout_params(
+            domain, {tests::component(0, cases()[0].shape), tests::component(1, cases()[3].shape)});
+        params.set("method", method);
+        params.set("torus", true);
+        params.set("cancellations", std::int64_t{method == "naive" ? 10000 : 200});
+        const Aggregate aggregate = layout_plugin().make(params, {});
+        EXPECT_TRUE(aggregate.torus);
+        std::vector<Element> elements;
+        std::size_t across = 0;
+        for (const Instance& instance : aggregate.instances) {
+            for (int y = 0; y <= 1; ++y)
+                for (int x = 0; x <= 1; ++x) {
+                    Instance image = instance;
+                    image.world_from_object[3][0] += 2.5F * float(x);
+                    image.world_from_object[3][2] += 2.0F * float(y);
+                    elements.push_back(element_of(aggregate, image));
+                }
+            const Box2 box = elements[elements.size() - 4].box;
+            across += box.max.x > 1.25 || box.max.y > 1 || box.min.x < -1.25 || box.min.y < -1;
+        }
+        EXPECT_EQ(count_overlaps(elements), 0U) << method;
+        EXPECT_GT(across, 5U) << method; // some do cross the border
+    }
 }
 
 TEST(LayoutExactMixed, TheTestItselfSeesAnOverlap) {
