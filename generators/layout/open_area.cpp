@@ -117,7 +117,9 @@ Fragment box_fragment(const Imath::Box2f& box) {
 Fragment part_of(const Fragment& fragment, float normal_x, float normal_y, float offset) {
     Split parts = split(fragment, normal_x, normal_y, offset);
     parts.inside.close();
-    return parts.full ? fragment : parts.inside;
+    if (parts.full)
+        return part_of(box_fragment(fragment.box()), normal_x, normal_y, offset);
+    return parts.inside;
 }
 
 bool subtract(const Fragment& fragment, const HalfPlanes& polygon, float sliver,

@@ -29,8 +29,8 @@ struct Fragment {
 
 Fragment box_fragment(const Imath::Box2f& box);
 
-/// The part where x . normal <= offset; less than three corners when there is none. A polygon that
-/// would have too many corners is returned uncut.
+/// The part where x . normal <= offset; less than three corners when there is none. Instead of
+/// a polygon that would have too many corners, the box around it is cut.
 Fragment part_of(const Fragment& fragment, float normal_x, float normal_y, float offset);
 
 /// Whether the polygon takes something of the fragment: then appends to `rest` what is left of it

@@ -180,7 +180,8 @@ void SaturationSearch::examine(Cell cell, std::size_t parent_pair, std::size_t p
                 const double motion = wide.turn + wide.scale + wide.fields;
                 const bool is_last =
                     motion <= problem_.smallest_extent / 64 || cell.depth > deepest;
-                if (motion > problem_.smallest_extent || !finish(cell, first_fragment, is_last))
+                const bool is_small = motion <= problem_.smallest_extent || is_last;
+                if (!is_small || !finish(cell, first_fragment, is_last))
                     split(cell, first_fragment, wide);
             }
         }
