@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace scree {
@@ -46,6 +47,14 @@ const Aggregate& chosen(const std::vector<Aggregate>& aggregates, const HeightOp
     return *maps[std::size_t(options.index == 0 ? 0 : options.index - 1)];
 }
 
+/// The heights in grey, the lowest black and the highest white.
+Image picture_of(const HeightField& map, float low, float high) {
+    Image picture = map.as_height().image;
+    for (float& v : picture.pixels)
+        v = high > low ? (v - low) / (high - low) : 0.5F;
+    return picture;
+}
+
 int write_map(const HeightOptions& options) {
     if (extension(options.output) != "exr")
         throw Error::usage(options.output + ": expected a name that ends in .exr");
@@ -73,9 +82,16 @@ int write_map(const HeightOptions& options) {
                   {"scree:generator", aggregate.generator},
                   {"scree:seed", std::to_string(aggregate.seed)},
                   {"scree:settings", scene.settings}});
+    const std::string png = options.output.substr(0, options.output.size() - 3) + "png";
+    const std::vector<float> heights = aggregate.height->as_height().image.pixels;
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    write_png(png, picture_of(*aggregate.height, *low, *high));
     stages.end();
-    console.say(fmt::format("wrote {}: {} x {} pixels over {:.4g} x {:.4g} mm", options.output,
-                            map.image.width, map.image.height, map.size.x * 1e3, map.size.y * 1e3));
+    console.say(fmt::format("wrote {} and {}: {} x {} pixels over {:.4g} x {:.4g} mm, heights from "
+                            "{:.3g} mm (black) to {:.3g} mm (white)",
+                            options.output, png, map.image.width, map.image.height,
+                            map.size.x * 1e3, map.size.y * 1e3, double(*low) * 1e3,
+                            double(*high) * 1e3));
     if (!options.stats.empty())
         write_file(options.stats, run_stats_json(stages, aggregates, nullptr));
     return 0;
@@ -86,7 +102,7 @@ int write_map(const HeightOptions& options) {
 void add_height_command(CLI::App& app, Run& run) {
     auto options = std::make_shared<HeightOptions>();
     CLI::App* command = app.add_subcommand(
-        "height", "Write the height map that a scene's generator makes, as a 32-bit float .exr.");
+        "height", "Write the height map that a scene's generator makes, with a .png beside it.");
     options->scene.add_to(*command);
     command->add_option("-o,--output", options->output, "File to write: .exr, in metres")
         ->required();

@@ -2,7 +2,7 @@
 #include "generators/leather/cell_layout.h"
 
 #include "core/random.h"
-#include "generators/layout/overlap.h"
+#include "generators/layout/placements.h"
 #include "generators/sampling/region_tools.h"
 
 #include <algorithm>
@@ -19,47 +19,6 @@ constexpr std::uint32_t outlines = 24;
 // only add cells where the groove network closes the gap anyway.
 constexpr double steps_per_octave = 4;
 constexpr std::uint64_t cancellations = 1500;
-
-/// The placed cells by a uniform grid that wraps round, each cell of it as wide as the largest.
-class TorusPlacements {
-  public:
-    TorusPlacements(CellLayout& layout, double largest_radius) : layout_(layout) {
-        count_ = std::max(1, static_cast<int>(layout.size / (2 * largest_radius)));
-        grid_.resize(std::size_t(count_) * std::size_t(count_));
-    }
-
-    bool try_place(const Cell& cell) {
-        const int x = bin(cell.pose.position.x), y = bin(cell.pose.position.y);
-        const int reach = std::min(1, (count_ - 1) / 2); // no bin twice on a small torus
-        for (int j = -reach; j <= reach; ++j)
-            for (int i = -reach; i <= reach; ++i)
-                for (const std::uint32_t other : at(x + i, y + j))
-                    if (overlaps(cell, layout_.cells[other]))
-                        return false;
-        at(x, y).push_back(static_cast<std::uint32_t>(layout_.cells.size()));
-        layout_.cells.push_back(cell);
-        return true;
-    }
-
-  private:
-    int bin(double at) const {
-        return std::min(count_ - 1, static_cast<int>(at / layout_.size * count_));
-    }
-    std::vector<std::uint32_t>& at(int x, int y) {
-        return grid_[std::size_t((y + count_) % count_) * std::size_t(count_) +
-                     std::size_t((x + count_) % count_)];
-    }
-    bool overlaps(const Cell& a, const Cell& b) const {
-        Vec2 offset = a.pose.position - b.pose.position;
-        offset.x -= layout_.size * std::round(offset.x / layout_.size);
-        offset.y -= layout_.size * std::round(offset.y / layout_.size);
-        return overlap(layout_.shapes[a.shape], a.pose, layout_.shapes[b.shape], b.pose, offset);
-    }
-
-    CellLayout& layout_;
-    int count_ = 1;
-    std::vector<std::vector<std::uint32_t>> grid_;
-};
 
 Ring cut_corners(const Ring& ring) {
     Ring cut;
@@ -103,20 +62,23 @@ Region cell_outline(double elongation, double irregularity, std::uint64_t seed,
 
 CellLayout place_cells(double size, const std::vector<CellKind>& kinds, std::uint64_t seed,
                        std::uint64_t stream, const Context& context) {
-    CellLayout layout;
-    layout.size = size;
-    double radius = 0;
-    for (const CellKind& kind : kinds)
+    const auto torus = std::make_shared<Region>(
+        triangulate({{{0.0, 0.0}, {size, 0.0}, {size, size}, {0.0, size}}}));
+    LayoutProblem problem{
+        .domain = DomainTest(torus, Inside::torus), .scale = kinds.front().scale, .seed = seed};
+    for (const CellKind& kind : kinds) {
+        problem.scale.low = std::min(problem.scale.low, kind.scale.low);
+        problem.scale.high = std::max(problem.scale.high, kind.scale.high);
         for (std::uint32_t i = 0; i < outlines; ++i) {
             Region outline = cell_outline(kind.elongation, kind.irregularity, seed,
-                                          (stream << 20) + layout.shapes.size());
+                                          (stream << 20) + problem.shapes.size());
             for (Ring& ring : outline.rings)
                 for (Vec2& p : ring)
                     p *= kind.width;
-            layout.shapes.emplace_back(outline);
-            radius = std::max(radius, layout.shapes.back().radius() * kind.scale.high);
+            problem.shapes.emplace_back(outline);
         }
-    TorusPlacements placements(layout, radius);
+    }
+    Placements placements(problem);
     std::uint64_t trial = 0;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         const CellKind& kind = kinds[k];
@@ -127,18 +89,23 @@ CellLayout place_cells(double size, const std::vector<CellKind>& kinds, std::uin
             const double low = kind.scale.high * std::exp2(-octaves * (step + 1) / steps);
             for (std::uint64_t in_a_row = 0; in_a_row < cancellations; ++trial) {
                 Random random(seed, Purpose::leather_cell, (stream << 40) | trial);
-                Cell cell;
-                cell.shape = static_cast<std::uint32_t>(k * outlines) + random.below(outlines);
+                Dart dart;
+                dart.component = static_cast<std::uint32_t>(k * outlines) + random.below(outlines);
                 const double angle = kind.direction + kind.direction_spread * random.uniform(-1, 1);
                 const double scale = random.uniform(low, high);
-                cell.pose = Pose({random.uniform(0, size), random.uniform(0, size)}, angle, scale);
-                in_a_row = placements.try_place(cell) ? 0 : in_a_row + 1;
+                dart.pose = Pose({random.uniform(0, size), random.uniform(0, size)}, angle, scale);
+                in_a_row = placements.try_place(dart) ? 0 : in_a_row + 1;
                 if (trial % 1024 == 0)
                     context.check_cancel();
             }
             context.report("placing cells", double(step + 1) / steps);
         }
     }
+    CellLayout layout;
+    layout.size = size;
+    for (const Dart& dart : placements.darts())
+        layout.cells.push_back({dart.component, dart.pose});
+    layout.shapes = std::move(problem.shapes);
     return layout;
 }
 

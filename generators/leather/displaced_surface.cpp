@@ -56,15 +56,18 @@ Mesh displaced_grid(const HeightField& field, std::size_t n, const Surface& surf
         for (std::size_t i = 0; i < n; ++i) {
             const auto a = static_cast<std::uint32_t>(j * side + i);
             const auto b = static_cast<std::uint32_t>(a + side); // below a
-            mesh.triangles[2 * (j * n + i)] = {a, b, b + 1};
-            mesh.triangles[2 * (j * n + i) + 1] = {a, b + 1, a + 1};
+            // Diagonals point to the middle: there the sphere's grid has corners, which it would
+            // flatten on the others.
+            const bool falls = (i < n / 2) == (j < n / 2);
+            mesh.triangles[2 * (j * n + i)] = {a, b, falls ? b + 1 : a + 1};
+            mesh.triangles[2 * (j * n + i) + 1] = {falls ? a : b, b + 1, a + 1};
         }
     });
     return mesh;
 }
 
-std::size_t cells_per_side(std::size_t triangles) {
-    return std::max<std::size_t>(2, static_cast<std::size_t>(std::sqrt(double(triangles) / 2)));
+std::size_t cells_per_side(std::size_t triangles) { // even
+    return 2 * std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(double(triangles) / 8)));
 }
 
 /// Walls from the grid's border down to y = 0.
@@ -165,7 +168,7 @@ bool is_sphere(const Mesh& mesh, Vec3& centre, double& radius) {
     centre = box.center();
     radius = std::max({size.x, size.y, size.z}) / 2;
     const double tolerance = 1e-4 * radius;
-    // Eight points at least: fewer lie on a sphere by accident, as a box's corners do.
+    // Few points lie on a sphere by accident, as a box's corners do.
     return mesh.positions.size() > 24 &&
            std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const Vec3& p) {
                return std::abs(double((p - centre).length()) - radius) < tolerance;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program as a user meets it: exit codes, messages, files, and the same bytes on any threads.
 #include "core/file.h"
+#include "core/height_field.h"
 #include "core/image.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -69,7 +71,8 @@ TEST_F(Cli, WithoutACommandItShowsHelpAndFails) {
 }
 
 TEST_F(Cli, EveryCommandHasHelpWithAnExample) {
-    for (const char* command : {"render", "bake", "analyse", "view", "diff", "check", "list"}) {
+    for (const char* command :
+         {"render", "bake", "analyse", "height", "view", "diff", "check", "list"}) {
         const Outcome outcome = run(std::string(command) + " --help");
         EXPECT_EQ(outcome.code, 0) << command;
         EXPECT_NE(outcome.out.find("Example:\n  scree " + std::string(command)), std::string::npos)
@@ -310,6 +313,66 @@ TEST_F(Cli, CtrlCKeepsWhatIsDone) {
     const std::string said = read_file(path("err.txt"));
     EXPECT_NE(said.find("interrupted: the picture holds what was done"), std::string::npos) << said;
     EXPECT_EQ(read_exr(path("a.exr")).parts[0].image.width, 48);
+}
+
+TEST_F(Cli, HeightWritesTheMapInMetres) {
+    write_file(path("leather.lua"),
+               "local tile = { preset = arg('preset', 'pebbled'), size = 0.04, resolution = 64,\n"
+               "  triangles = 100, seed = arg('seed', 3) }\n"
+               "return scene { objects = { generator.leather(tile) } }\n");
+    Outcome outcome = run("height leather.lua -o a.exr --stats s.json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const HeightField map = read_height(path("a.exr"));
+    EXPECT_EQ(map.image.width, 64);
+    EXPECT_EQ(map.size, Vec2(0.04F, 0.04F));
+    EXPECT_EQ(map.mid_level, 0);
+    EXPECT_TRUE(map.tiles);
+    const auto [low, high] = std::minmax_element(map.image.pixels.begin(), map.image.pixels.end());
+    const Image picture = read_image(path("a.png")); // a picture to look at
+    EXPECT_EQ(picture.width, 64);
+    EXPECT_LT(*std::min_element(picture.pixels.begin(), picture.pixels.end()), 0.01F);
+    EXPECT_GT(*std::max_element(picture.pixels.begin(), picture.pixels.end()), 0.98F);
+    EXPECT_GT(*high - *low, 3e-4F);
+    EXPECT_LT(*high - *low, 1e-3F);
+    EXPECT_GT(nlohmann::json::parse(read_file(path("s.json")))["generators"][0]["facts"]["cells"]
+                  .get<int>(),
+              50);
+
+    ASSERT_EQ(run("height leather.lua -o b.exr --threads 1").code, 0);
+    EXPECT_EQ(read_file(path("a.exr")), read_file(path("b.exr"))) << "on any number of threads";
+    ASSERT_EQ(run("height leather.lua -o c.exr --set seed=4").code, 0);
+    EXPECT_NE(read_image(path("c.exr")).pixels, map.image.pixels);
+
+    ASSERT_EQ(run("height leather.lua -o v.exr --vector").code, 0);
+    const HeightField vectors = read_height(path("v.exr"));
+    EXPECT_TRUE(vectors.is_vector());
+    EXPECT_EQ(vectors.as_height().image.pixels, map.image.pixels);
+    ASSERT_EQ(run("height leather.lua -o r.exr --vector --set preset=reptile").code, 0);
+    const HeightField leaning = read_height(path("r.exr"));
+    EXPECT_NE(*std::max_element(leaning.image.pixels.begin(), leaning.image.pixels.end()),
+              leaning.image.pixels[1]);
+    EXPECT_NE(leaning.offset({0.31, 0.47}).x, 0) << "shoulders lean over the grooves";
+}
+
+TEST_F(Cli, HeightSaysWhatItCannotWrite) {
+    write_file(path("two.lua"), "local g = generator.leather { size = 0.03, resolution = 16,\n"
+                                "  triangles = 100 }\n"
+                                "return scene { objects = { g, g } }\n");
+    Outcome outcome = run("height small.lua -o a.exr --quiet");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.err, "small.lua: scene.objects: no generator has a height map; expected a "
+                           "generator.leather\n");
+    outcome = run("height two.lua -o a.exr --quiet");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "two.lua has 2 height maps; choose one\n"
+                           "  for example --index 1, counted in the order of scene.objects\n");
+    outcome = run("height two.lua -o a.exr --index 3 --quiet");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "--index 3: two.lua has 2 height maps\n");
+    EXPECT_EQ(run("height two.lua -o a.exr --index 2").code, 0);
+    EXPECT_EQ(run("height two.lua -o a.png").code, 2);
+    EXPECT_EQ(run("height two.lua -o no/such/a.exr").code, 3);
+    EXPECT_FALSE(fs::exists(path("no")));
 }
 
 } // namespace

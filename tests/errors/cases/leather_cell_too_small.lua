@@ -1,0 +1,1 @@
+return scene { objects = { generator.leather { preset = "fine_calf", size = 2 } } }

@@ -1,0 +1,3 @@
+return scene {
+  objects = { generator.leather { resolution = 513 } },
+}

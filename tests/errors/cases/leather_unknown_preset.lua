@@ -1,0 +1,1 @@
+return scene { objects = { generator.leather { preset = "reptil", depth = -1, pores = 3 } } }
