@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Overlap queries per second, and the two methods side by side; medians of five runs, one thread.
+// The tables of generator.layout: overlap queries, the methods side by side, the paper's figures 5,
+// 7, 10 and 11 and its table 1, and growth with the number of elements. One run, one thread unless
+// stated, medians of five.
+//   layout_bench [queries|methods|figures|candidates|table|growth ...]     all unless named
 #include "core/device.h"
 #include "core/parallel.h"
+#include "generators/layout/gap_field.h"
 #include "generators/layout/method.h"
 #include "generators/layout/overlap.h"
 #include "generators/sampling/region_shapes.h"
@@ -13,6 +17,9 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <set>
+
+#include <sys/resource.h>
 
 namespace {
 
@@ -20,11 +27,11 @@ using namespace scree;
 
 constexpr int runs = 5;
 
-/// Of this thread, so that a busy machine does not show; for work on other threads, by the clock.
+/// Of the whole process, so that a busy machine shows less.
 double cpu_seconds_of(const auto& work) {
     const auto now = [] {
         timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
         return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
     };
     const double start = now();
@@ -43,25 +50,65 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-struct Case {
+struct Shape {
     std::string name;
-    Ring ring;
-    double domain; // side of the square domain, about the paper's counts in Table 1 [m]
+    std::vector<Ring> rings; // one per component
+    double domain = 15;      // side of the square domain [m]
+    Range scale{1, 1};
 };
 
-LayoutProblem problem_of(const Case& c, double domain, std::uint64_t seed) {
+/// A crown over a trunk as the paper's trees project: a lobed outline.
+Ring tree_ring(double radius, int lobes) {
+    Ring ring;
+    for (int i = 0; i < 6 * lobes; ++i) {
+        const double angle = 2 * pi * i / (6 * lobes);
+        ring.push_back(rotate({radius * (0.85 + 0.15 * std::cos(lobes * angle)), 0}, angle));
+    }
+    return ring;
+}
+
+std::vector<Shape> shapes() {
+    return {{"L", {l_ring(1, 0.3)}},
+            {"star", {star_ring(0.5, 0.4, 5)}},
+            {"chevron", {chevron_ring(1, 0.25)}},
+            {"U", {u_ring(1, 0.25)}},
+            {"square", {rectangle_ring(1, 1)}}};
+}
+
+/// The paper's table 1: its components are not printed as numbers; these are concave ones of three
+/// kinds, on domains of about its counts.
+std::vector<Shape> table_cases() {
+    return {{"(a) E1: L", {l_ring(1, 0.3)}, 20.5},
+            {"(b) E2: U", {u_ring(1, 0.25)}, 10.2},
+            {"(c) E3: chevron", {chevron_ring(1, 0.25)}, 6.5},
+            {"(d) trees", {tree_ring(0.5, 5), tree_ring(0.45, 7)}, 5.4, {0.2, 1.0}},
+            {"Fig. 1(b) mixed", {l_ring(1, 0.3), u_ring(1, 0.25), chevron_ring(1, 0.25)}, 15.2}};
+}
+
+LayoutProblem problem_of(const Shape& shape, double domain, std::uint64_t seed,
+                         Inside inside = Inside::whole) {
     LayoutProblem problem{
         .domain = DomainTest(
-            std::make_shared<Region>(triangulate({rectangle_ring(domain, domain)})), Inside::whole),
+            std::make_shared<Region>(triangulate({rectangle_ring(domain, domain)})), inside),
+        .scale = shape.scale,
         .seed = seed};
-    problem.shapes.emplace_back(triangulate({c.ring}));
-    problem.weights = {1};
+    for (const Ring& ring : shape.rings) {
+        problem.shapes.emplace_back(triangulate({ring}));
+        problem.weights.push_back(1);
+    }
     return problem;
 }
 
+double fill_of(const LayoutProblem& problem, const Placements& placements) {
+    double sum = 0;
+    for (const Dart& dart : placements.darts())
+        sum += problem.shapes[dart.component].area() * dart.pose.scale * dart.pose.scale;
+    return sum / area(problem.domain.region());
+}
+
 /// Pairs as a trial in a filled domain meets them: circumscribed circles that overlap.
-void print_queries(const Case& c) {
-    const CollisionShape shape(triangulate({c.ring}));
+void print_queries(const Shape& s) {
+    const CollisionShape shape(triangulate({s.rings[0]}));
     struct Pair {
         Pose a, b;
         Vec2 offset;
@@ -87,64 +134,220 @@ void print_queries(const Case& c) {
         });
         rates.push_back(double(pairs.size()) * repeats / seconds / 1e6);
     }
-    fmt::print("{:10} {:8.2f} M queries/s, {:4.1f}% overlap, {} disks\n", c.name, median(rates),
+    fmt::print("{:10} {:8.2f} M queries/s, {:4.1f}% overlap, {} disks\n", s.name, median(rates),
                100.0 * double(hits) / double(pairs.size()) / repeats, shape.disks().size());
 }
 
-void print_methods(const Case& c, Device* device) {
-    const auto print = [&](const char* method, const auto& fill) {
-        std::vector<double> counts, seconds, queries;
-        for (int run = 0; run < runs; ++run) {
-            const LayoutProblem problem = problem_of(c, c.domain, std::uint64_t(run));
-            Placements placements(problem);
-            seconds.push_back(seconds_of([&] { fill(problem, placements); }));
-            counts.push_back(double(placements.size()));
-            queries.push_back(double(placements.queries()) / seconds.back() / 1e6);
-        }
-        const double area = std::abs(signed_area(c.ring)) / (c.domain * c.domain);
-        fmt::print("{:10} {:20} {:6.0f} elements, fill {:.3f}, {:8.4f} s, {:6.2f} M queries/s\n",
-                   c.name, method, median(counts), median(counts) * area, median(seconds),
-                   median(queries));
-    };
-    print("naive 10,000", [](const LayoutProblem& problem, Placements& placements) {
-        fill_naive(problem, 10000, placements, {});
-    });
-    print("naive 100,000", [](const LayoutProblem& problem, Placements& placements) {
-        fill_naive(problem, 100000, placements, {});
-    });
-    print("fill_gap host", [](const LayoutProblem& problem, Placements& placements) {
-        fill_gap(problem, {}, placements, {});
-    });
-    print("fill_gap device", [&](const LayoutProblem& problem, Placements& placements) {
-        fill_gap(problem, {}, placements, {.device = device});
-    });
+struct Row {
+    double count = 0, fill = 0, seconds = 0, trials = 0, rate = 0;
+};
+
+/// Medians over runs of other seeds; `fill` returns the trials.
+Row measure(const Shape& shape, const auto& fill, Inside inside = Inside::whole) {
+    std::vector<double> counts, fills, seconds, trials;
+    for (int run = 0; run < runs; ++run) {
+        const LayoutProblem problem = problem_of(shape, shape.domain, std::uint64_t(run), inside);
+        Placements placements(problem);
+        MethodCounts made;
+        seconds.push_back(cpu_seconds_of([&] { made = fill(problem, placements); }));
+        counts.push_back(double(placements.size()));
+        fills.push_back(fill_of(problem, placements));
+        trials.push_back(double(made.trials));
+    }
+    Row row{median(counts), median(fills), median(seconds), median(trials), 0};
+    row.rate = row.count / row.seconds;
+    return row;
 }
 
-void print_growth(const Case& c) {
-    for (const double size : {10.0, 31.6, 100.0, 316.0}) {
-        const LayoutProblem problem = problem_of(c, size, 1);
+void print_row(const std::string& name, const std::string& method, const Row& row,
+               const Row& reference) {
+    fmt::print("{:16} {:18} {:7.0f} {:7.3f} {:10.4f} {:11.0f} {:10.0f} {:9.3f} {:9.3f}\n", name,
+               method, row.count, row.fill, row.seconds, row.trials, row.rate,
+               row.count / reference.count, row.seconds / reference.seconds);
+}
+
+void print_header(const std::string& reference) {
+    fmt::print("{:16} {:18} {:>7} {:>7} {:>10} {:>11} {:>10} {:>9} {:>9}  (ratios to {})\n", "",
+               "method", "count", "fill", "CPU s", "trials", "per CPU s", "count", "time",
+               reference);
+}
+
+MethodCounts saturate(const LayoutProblem& problem, Placements& placements, double share,
+                      Certificate* out = nullptr) {
+    Certificate certificate;
+    const MethodCounts counts = fill_saturated(
+        problem, {.epsilon = share * problem.smallest_inner_radius()}, placements, certificate, {});
+    if (certificate.undecided > 0)
+        fmt::print("! {} undecided\n", certificate.undecided);
+    if (out != nullptr)
+        *out = certificate;
+    return counts;
+}
+
+void print_methods(const Shape& shape, Device* device) {
+    const Row million = measure(shape, [](const LayoutProblem& problem, Placements& placements) {
+        return fill_naive(problem, 1000000, placements, {});
+    });
+    print_row(shape.name, "naive 1,000,000", million, million);
+    for (const std::uint64_t cancellations : {10000, 100000})
+        print_row(shape.name, fmt::format("naive {}", cancellations),
+                  measure(shape,
+                          [&](const LayoutProblem& problem, Placements& placements) {
+                              return fill_naive(problem, cancellations, placements, {});
+                          }),
+                  million);
+    for (Device* const d : {static_cast<Device*>(nullptr), device})
+        print_row(shape.name, d == nullptr ? "fill_gap host" : "fill_gap device",
+                  measure(shape,
+                          [&](const LayoutProblem& problem, Placements& placements) {
+                              return fill_gap(problem, {}, placements, {.device = d});
+                          }),
+                  million);
+    print_row(
+        shape.name, "saturated 1%",
+        measure(shape, [](const LayoutProblem& problem,
+                          Placements& placements) { return saturate(problem, placements, 0.01); }),
+        million);
+}
+
+/// On a torus as RSA3D has it, without a border's losses.
+void print_torus_fill(const Shape& shape) {
+    Shape large = shape;
+    large.domain = 40;
+    const Row row = measure(
+        large,
+        [](const LayoutProblem& problem, Placements& placements) {
+            return saturate(problem, placements, 0.01);
+        },
+        Inside::torus);
+    fmt::print("{:10} saturated 1% on a torus of 40 m: {:6.0f} elements, fill {:.4f}, {:.0f} per "
+               "CPU s\n",
+               shape.name, row.count, row.fill, row.rate);
+}
+
+/// Figures 5 and 7: elements and time against the consecutive cancellations that end it.
+void print_cancellations(const Shape& shape) {
+    for (const std::uint64_t cancellations : {50, 200, 500, 1000, 2000, 5000, 7000, 10000}) {
+        const Row row = measure(shape, [&](const LayoutProblem& problem, Placements& placements) {
+            return fill_naive(problem, cancellations, placements, {});
+        });
+        fmt::print("{:16} naive {:6}: {:6.0f} elements, {:.4f} s\n", shape.name, cancellations,
+                   row.count, row.seconds);
+    }
+}
+
+/// Figures 10 and 11: how many points Q each exponent yields, and how far they lie from what is
+/// placed, as a share of the largest distance.
+void print_candidates() {
+    const Shape shape = shapes()[0];
+    const LayoutProblem problem = problem_of(shape, shape.domain, 1);
+    Placements placements(problem);
+    fill_naive(problem, 300, placements, {});
+    for (const std::uint32_t exponent : {1U, 2U, 4U, 8U, 16U, 32U}) {
+        GapField field(problem.domain, 512, nullptr);
+        for (const Dart& dart : placements.darts())
+            field.occupy(problem.shapes[dart.component].outline(), dart.pose);
+        const std::vector<Vec2> points = field.candidates(exponent, 1, 0);
+        double sum = 0, count = 0, largest = 0;
+        for (std::size_t i = 0; i < field.marks().size(); ++i) {
+            const double distance = std::sqrt(double(field.squared_distance()[i]));
+            if (field.state()[i] == 0)
+                largest = std::max(largest, distance);
+            if (field.marks()[i] != 0) {
+                sum += distance;
+                ++count;
+            }
+        }
+        fmt::print("exponent {:3}: {:7} points Q, mean distance {:.3f} of the largest\n", exponent,
+                   points.size(), sum / count / largest);
+    }
+}
+
+/// Table 1 and figure 1(b); the paper's numbers beside ours.
+void print_table() {
+    struct Paper {
+        double fill_gap_seconds, fill_gap_count, naive_seconds, naive_count;
+    };
+    const std::vector<Paper> paper = {{17.2, 321, 316.2, 323},
+                                      {11.5, 64, 93.3, 61},
+                                      {13.2, 58, 177.8, 61},
+                                      {31.5, 244, 488.0, 258},
+                                      {18.3, 224, 250, 210}};
+    fmt::print("{:16} | paper, 2009 desktop: fill-gap, naive | ours: fill_gap, naive 10,000, "
+               "saturated 1% (count, CPU s)\n",
+               "");
+    for (std::size_t i = 0; i < paper.size(); ++i) {
+        const Shape shape = table_cases()[i];
+        const Row gap = measure(shape, [](const LayoutProblem& problem, Placements& placements) {
+            return fill_gap(problem, {}, placements, {});
+        });
+        const Row naive = measure(shape, [](const LayoutProblem& problem, Placements& placements) {
+            return fill_naive(problem, 10000, placements, {});
+        });
+        const Row full = measure(shape, [](const LayoutProblem& problem, Placements& placements) {
+            return saturate(problem, placements, 0.01);
+        });
+        const Paper& p = paper[i];
+        fmt::print("{:16} | {:4.0f} in {:5.1f} s, {:4.0f} in {:5.1f} s | {:4.0f} in {:.4f} s, "
+                   "{:4.0f} in {:.4f} s, {:4.0f} in {:.4f} s\n",
+                   shape.name, p.fill_gap_count, p.fill_gap_seconds, p.naive_count, p.naive_seconds,
+                   gap.count, gap.seconds, naive.count, naive.seconds, full.count, full.seconds);
+    }
+}
+
+/// Three concave kinds at once, with all threads, saturated at 2%.
+void print_growth() {
+    const Shape mixed = table_cases().back();
+    double first = 0;
+    for (const double domain : {32.6, 103.0, 326.0}) {
+        const LayoutProblem problem = problem_of(mixed, domain, 1);
         Placements placements(problem);
-        const double seconds = cpu_seconds_of([&] { fill_naive(problem, 1000, placements, {}); });
-        fmt::print("{:10} naive 1,000 in {:5.0f} m: {:7} elements, {:7.2f} s, {:7.0f} elements/s\n",
-                   c.name, size, placements.size(), seconds, double(placements.size()) / seconds);
+        Certificate certificate;
+        double cpu = 0;
+        const double wall = seconds_of([&] {
+            cpu = cpu_seconds_of([&] { saturate(problem, placements, 0.02, &certificate); });
+        });
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        const double each = cpu / double(placements.size());
+        first = first == 0 ? each : first;
+        fmt::print("mixed, saturated 2%, {:2} threads: {:8} elements, fill {:.4f}, {:8.2f} s, CPU "
+                   "{:8.2f} s, {:.3f} ms each ({:.2f} of the first), {} undecided, peak {} MiB\n",
+                   thread_count(), placements.size(), fill_of(problem, placements), wall, cpu,
+                   each * 1e3, each / first, certificate.undecided, usage.ru_maxrss / 1024);
     }
 }
 
 } // namespace
 
-int main() {
-    const ThreadLimit one_thread(1);
-    const std::vector<Case> cases = {{"L", l_ring(1, 0.3), 15},
-                                     {"star", star_ring(0.5, 0.4, 5), 15},
-                                     {"chevron", chevron_ring(1, 0.25), 15},
-                                     {"U", u_ring(1, 0.25), 15},
-                                     {"square", rectangle_ring(1, 1), 15}};
-    for (const Case& c : cases)
-        print_queries(c);
-    std::unique_ptr<Device> device;
-    if (!Device::names().empty())
-        device = std::make_unique<Device>();
-    for (const Case& c : cases)
-        print_methods(c, device.get());
-    print_growth(cases[0]);
+int main(int count, char** arguments) {
+    const std::set<std::string> named(arguments + 1, arguments + count);
+    const auto wanted = [&](const char* name) { return named.empty() || named.contains(name); };
+    {
+        const ThreadLimit one_thread(1);
+        if (wanted("queries"))
+            for (const Shape& shape : shapes())
+                print_queries(shape);
+        if (wanted("methods")) {
+            std::unique_ptr<Device> device;
+            if (!Device::names().empty())
+                device = std::make_unique<Device>();
+            print_header("naive 1,000,000");
+            for (const Shape& shape : shapes())
+                print_methods(shape, device.get());
+            for (const Shape& shape : shapes())
+                print_torus_fill(shape);
+        }
+        if (wanted("figures")) {
+            print_cancellations(table_cases().back());
+            for (std::size_t i = 0; i < 3; ++i)
+                print_cancellations(table_cases()[i]);
+        }
+        if (wanted("candidates"))
+            print_candidates();
+        if (wanted("table"))
+            print_table();
+    }
+    if (wanted("growth"))
+        print_growth();
 }
