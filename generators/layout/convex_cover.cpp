@@ -139,6 +139,65 @@ Ring cut_off(const Ring& around, const Ring& seed, const Segment& s, double tole
     return best_area < 0 ? seed : best;
 }
 
+/// Andrew's monotone chain.
+Ring convex_hull(Ring points) {
+    std::sort(points.begin(), points.end(),
+              [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    Ring hull;
+    for (int pass = 0; pass < 2; ++pass) {
+        const std::size_t first = hull.size();
+        for (const Vec2& p : points) {
+            while (hull.size() >= first + 2 &&
+                   cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
+                hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();
+        std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
+/// Joins parts two by two into their convex hull, the largest first, where that stays in the
+/// region: two tips of a star, and what is between them.
+std::vector<Ring> joined(std::vector<Ring> parts, const std::vector<Segment>& outline,
+                         double tolerance) {
+    struct Pair {
+        std::size_t first, second;
+        Ring hull;
+        double area;
+    };
+    std::vector<Pair> pairs;
+    const auto add_pairs = [&](std::size_t second) {
+        for (std::size_t first = 0; first < second; ++first) {
+            if (parts[first].empty())
+                continue;
+            Ring points = parts[first];
+            points.insert(points.end(), parts[second].begin(), parts[second].end());
+            Ring hull = convex_hull(std::move(points));
+            if (std::ranges::none_of(
+                    outline, [&](const Segment& s) { return enters(s, hull, tolerance); })) {
+                const double size = signed_area(hull);
+                pairs.push_back({first, second, std::move(hull), size});
+            }
+        }
+    };
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        add_pairs(i);
+    while (!pairs.empty()) {
+        const Pair best = *std::ranges::max_element(pairs, {}, &Pair::area);
+        parts[best.first].clear();
+        parts[best.second].clear();
+        std::erase_if(pairs, [&](const Pair& p) {
+            return parts[p.first].empty() || parts[p.second].empty();
+        });
+        parts.push_back(best.hull);
+        add_pairs(parts.size() - 1);
+    }
+    std::erase_if(parts, [](const Ring& part) { return part.size() < 3; });
+    return parts;
+}
+
 Ring grown(const Ring& seed, std::vector<Segment> outline, const Box2& box) {
     const double tolerance = 1e-9 * box.size().length();
     const Vec2 centre = bounds({.rings = {seed}, .vertices = {}, .triangles = {}}).center();
@@ -198,16 +257,14 @@ std::vector<Ring> convex_cover(const Region& region) {
         Ring seed, whole;
     };
     std::vector<Part> parts;
-    for (Ring& seed : convex_partition(region)) {
-        if (seed.size() < 3)
-            continue;
+    const double tolerance = 1e-9 * box.size().length();
+    for (Ring& seed : joined(convex_partition(region), outline, tolerance)) {
         Ring whole = without_straight_corners(grown(seed, outline, box));
         parts.push_back({std::move(seed), std::move(whole)});
     }
     std::ranges::stable_sort(parts, [](const Part& a, const Part& b) {
         return signed_area(a.whole) > signed_area(b.whole);
     });
-    const double tolerance = 1e-9 * box.size().length();
     std::vector<Ring> cover;
     for (const Part& part : parts)
         if (std::ranges::none_of(

@@ -10,7 +10,7 @@ namespace scree {
 std::vector<Ring> convex_partition(const Region& region);
 
 /// Convex polygons, counter-clockwise, that lie in the region and together cover it: the partition,
-/// each part grown as far as the outline lets it, without those that others then cover.
+/// parts joined and grown as far as the outline lets them, without those that others then cover.
 std::vector<Ring> convex_cover(const Region& region);
 
 /// A convex polygon of some of this one's vertices that no point of this one is farther than

@@ -29,7 +29,7 @@ struct Certificate {
 
 struct SaturatedSettings {
     double epsilon = 0; // [m]
-    double darts = 30;  // thrown for each element that the domain has area for, before the search
+    double darts = 12;  // thrown for each element that the domain has area for, before the search
 };
 
 /// Fills the domain until no component of any kind fits anywhere, at any allowed angle and scale,
