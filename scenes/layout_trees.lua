@@ -18,7 +18,7 @@ local forest = generator.layout {
 
 return scene {
   film = { width = 1280, height = 720, samples = 48, clamp = 8 },
-  camera = camera.perspective { from = { 0, 7.4, 12.6 }, at = { 0, 0.2, 0 }, fov = 27.5 },
+  camera = camera.perspective { from = { 0, 7.4, 12.6 }, at = { 0, 0, 0 }, fov = 28 },
   lights = {
     light.sky { zenith = { 0.38, 0.55, 0.85 }, horizon = { 0.95, 0.95, 0.95 }, ground = { 0.3, 0.3, 0.25 }, strength = 0.6 },
     light.sun { direction = { -1.4, 0.95, 0.25 }, angle = 2.5, color = { 1.0, 0.87, 0.68 }, strength = 4.2 },
