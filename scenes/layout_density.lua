@@ -2,6 +2,7 @@
 -- of bananas whose outlines are kept 0, 20 and 60 mm wider all round. --set which=gradient: one long
 -- board on which a field of density grows them from left to right.
 local which = arg("which", "boards")
+assert(which == "boards" or which == "gradient", "which: boards or gradient")
 local method = arg("method", "saturated")
 local seed = arg("seed", 2)
 

@@ -2,6 +2,7 @@
 -- and are the halves of a yin and yang (classes). --set show=leaves: a whirlwind of leaves.
 local motifs = include("parts/motifs.lua")
 local show = arg("show", "koi")
+assert(show == "koi" or show == "leaves", "show: koi or leaves")
 
 local function paint(...)
   local palette = {}
