@@ -19,7 +19,7 @@ constexpr int most_blocks = 4;
 /// side, since there only that side's two samples matter.
 struct Cell {
     double a, b, c, d;
-    bool angle;
+    bool angle, stepped;
 
     double difference(double from, double to) const {
         return angle ? shorter_turn(to - from) : to - from;
@@ -27,13 +27,25 @@ struct Cell {
     double near_side(double s) const { return a + s * difference(a, b); }
     double far_side(double s) const { return c + s * difference(c, d); }
 
+    double nearest(bool right, bool below) const {
+        return below ? (right ? d : c) : (right ? b : a);
+    }
+
     double at(double s, double t) const {
+        if (stepped)
+            return nearest(s >= 0.5, t >= 0.5);
         const double low = near_side(s);
         return low + t * difference(low, far_side(s));
     }
 
     /// Over the part [s0, s1] x [t0, t1]. A bilinear function has its extremes at the corners.
     Range over(double s0, double s1, double t0, double t1) const {
+        if (stepped) {
+            const auto [low, high] =
+                std::minmax({nearest(s0 >= 0.5, t0 >= 0.5), nearest(s1 >= 0.5, t0 >= 0.5),
+                             nearest(s0 >= 0.5, t1 >= 0.5), nearest(s1 >= 0.5, t1 >= 0.5)});
+            return {low, high};
+        }
         const double low0 = near_side(s0), low1 = near_side(s1);
         double rise0 = far_side(s0) - low0, rise1 = far_side(s1) - low1;
         if (angle) {
@@ -58,8 +70,8 @@ Cell cell_of(const SampleGrid& grid, int column, int row) {
     };
     const int right = next(column, grid.columns);
     const int below = next(row, grid.rows);
-    return {value(column, row), value(right, row), value(column, below), value(right, below),
-            grid.angle};
+    return {value(column, row),  value(right, row), value(column, below),
+            value(right, below), grid.angle,        grid.stepped};
 }
 
 } // namespace

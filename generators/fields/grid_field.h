@@ -17,6 +17,7 @@ struct SampleGrid {
     std::vector<float> values{}; // columns * rows, finite
     bool torus = false;          // repeats itself instead of ending at its border
     bool angle = false;          // degrees: between two samples the field turns the shorter way
+    bool stepped = false;        // the nearest sample's value instead of a mixture: for classes
 };
 
 /// A grid interpolated bilinearly. Outside a grid that is no torus, the nearest border's values

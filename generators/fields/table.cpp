@@ -57,6 +57,10 @@ ParamSpec angle_flag() {
     return flag("angle", "The values are directions in degrees: 359 lies beside 0.");
 }
 
+ParamSpec nearest_flag() {
+    return flag("nearest", "The nearest sample's value instead of a mixture: for classes.");
+}
+
 /// Lays `grid` out over width x depth about the centre. With samples `at_border` the outermost
 /// ones stand on the border, otherwise all stand in the middle of equal cells.
 FieldPointer laid_out(const Params& params, SampleGrid grid, bool at_border) {
@@ -64,6 +68,7 @@ FieldPointer laid_out(const Params& params, SampleGrid grid, bool at_border) {
     const Vec2 counts(grid.columns, grid.rows);
     grid.angle = params.flag("angle");
     grid.torus = params.flag("torus");
+    grid.stepped = params.flag("nearest");
     for (unsigned axis = 0; axis < 2; ++axis) {
         const bool spread = at_border && counts[axis] > 1;
         grid.step[axis] = size[axis] / (spread ? counts[axis] - 1 : counts[axis]);
@@ -109,6 +114,7 @@ Plugin<MakeField> image_plugin() {
              value("low", "Value of a pixel of 0.", 0),
              std::move(high),
              angle_flag(),
+             nearest_flag(),
              flag("torus", "The image repeats; otherwise its border goes on outside."),
              centre("Where the middle of the image lies.")},
             image_field};
@@ -135,6 +141,7 @@ Plugin<MakeField> function_plugin() {
               .min = 2,
               .max = most_samples},
              angle_flag(),
+             nearest_flag(),
              flag("torus", "The grid repeats."),
              centre("Where the middle of the grid lies.")},
             function_field};

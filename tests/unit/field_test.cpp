@@ -52,6 +52,19 @@ SampleGrid vortex_grid(int columns, int rows, bool torus) {
     return grid;
 }
 
+TEST(GridField, NearestTakesNoMixture) {
+    SampleGrid grid = random_grid(5, 4, false, false, 8);
+    grid.stepped = true;
+    const std::vector<float> values = grid.values;
+    const Vec2 first = grid.first, step = grid.step;
+    const GridField field(std::move(grid));
+    for (int z = 0; z < 4; ++z)
+        for (int x = 0; x < 5; ++x)
+            for (const double shift : {-0.45, 0.0, 0.45})
+                EXPECT_EQ(field.at(first + step * Vec2(x + shift, z - shift)),
+                          double{values[std::size_t(z * 5 + x)]});
+}
+
 std::vector<std::pair<std::string, std::shared_ptr<const Field>>> all_fields() {
     std::vector<std::pair<std::string, std::shared_ptr<const Field>>> out;
     const auto grid = [&](const std::string& name, SampleGrid samples) {
@@ -67,6 +80,11 @@ std::vector<std::pair<std::string, std::shared_ptr<const Field>>> all_fields() {
             grid("53 x 37" + suffix, random_grid(53, 37, torus, angle, 5));
             grid("200 x 133" + suffix, random_grid(200, 133, torus, angle, 6));
         }
+    for (const bool torus : {false, true}) {
+        SampleGrid nearest = random_grid(23, 31, torus, false, 7);
+        nearest.stepped = true;
+        grid(torus ? "nearest torus" : "nearest", nearest);
+    }
     grid("vortex", vortex_grid(70, 41, false));
     grid("vortex torus", vortex_grid(70, 41, true));
     const Vec2 a(0.2, -0.3), b(1.1, 0.4);
