@@ -46,7 +46,7 @@ function tray.objects(width, depth)
   }
 end
 
-tray.camera = camera.perspective { from = { 0, 1.62, 0.98 }, at = { 0, 0, 0.03 }, fov = 26.2 }
+tray.camera = camera.perspective { from = { 0, 1.62, 0.98 }, at = { 0, 0, 0.03 }, fov = 27.2 }
 
 tray.lights = {
   light.sky { zenith = { 0.62, 0.72, 0.88 }, horizon = { 1.0, 0.97, 0.92 }, ground = { 0.3, 0.28, 0.25 }, strength = 0.5 },
