@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
 #include <set>
 
@@ -321,6 +322,7 @@ void print_growth() {
 } // namespace
 
 int main(int count, char** arguments) {
+    std::setvbuf(stdout, nullptr, _IOLBF, 0); // lines appear as they are measured
     const std::set<std::string> named(arguments + 1, arguments + count);
     const auto wanted = [&](const char* name) { return named.empty() || named.contains(name); };
     {

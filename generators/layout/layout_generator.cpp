@@ -163,6 +163,13 @@ Aggregate bake_layout(const Params& params, const Context& context) {
                           placements, context);
     }
 
+    if (placements.size() == 0 && problem.max_count > 0)
+        throw params.error("components",
+                           certificate ? "none of them fits anywhere in the domain"
+                                       : fmt::format("none of them found room in the domain in {} "
+                                                     "trials",
+                                                     counts.trials));
+
     const Layout layout = placements.layout(params.region("domain"));
     Aggregate aggregate;
     aggregate.generator = "layout";
