@@ -5,6 +5,9 @@
 
 namespace scree {
 
+/// The difference of two angles, in [-pi, pi].
+inline double angle_between(double a, double b) { return std::remainder(a - b, 2 * pi); }
+
 /// Where an element lies: x = R S x0 + t, with x0 relative to the centre of its region's bounding
 /// box (Sakurai & Miyata 2014, eq. 1).
 struct Pose {
