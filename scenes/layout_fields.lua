@@ -4,13 +4,7 @@ local motifs = include("parts/motifs.lua")
 local show = arg("show", "koi")
 assert(show == "koi" or show == "leaves", "show: koi or leaves")
 
-local function paint(...)
-  local palette = {}
-  for i, color in ipairs { ... } do
-    palette[i] = srgb(color)
-  end
-  return material.matte { palette = palette }
-end
+local paint = motifs.dye
 
 -- Which half of a yin and yang of radius 1 a point belongs to: 1 or 2.
 local function yin_yang(x, z)

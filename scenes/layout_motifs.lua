@@ -3,14 +3,7 @@
 -- to be baked, as in: scree bake scenes/layout_motifs.lua --set torus=true -o cloth.svg
 local motifs = include("parts/motifs.lua")
 
-local function dye(...)
-  local palette = {}
-  for i, color in ipairs { ... } do
-    palette[i] = srgb(color)
-  end
-  return material.matte { palette = palette }
-end
-
+local dye = motifs.dye
 local paper, pink, red = "#f1e7d3", "#e9b3b4", "#c8452f"
 local gold, sage, sky = "#d9a441", "#8fae8b", "#8fb3cf"
 

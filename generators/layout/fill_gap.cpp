@@ -11,8 +11,8 @@ namespace {
 /// Step 1: elements at Poisson-disk points, whose circles hold the largest element at any angle.
 void place_sparsely(const LayoutProblem& problem, std::uint64_t cancellations,
                     Placements& placements, MethodCounts& counts) {
-    const double distance =
-        2 * (problem.largest_radius() + problem.largest_margin()) + problem.clearance();
+    const double clearance = problem.clearance();
+    const double distance = 2 * (problem.largest_radius() + problem.largest_margin()) + clearance;
     std::uint64_t in_a_row = 0;
     for (std::uint64_t i = 0; in_a_row < cancellations && !placements.full(); ++i) {
         Random random(problem.seed, Purpose::layout_sparse, i);
@@ -20,7 +20,7 @@ void place_sparsely(const LayoutProblem& problem, std::uint64_t cancellations,
             throw_dart_at(problem, counts.trials, problem.domain.sample(random));
         const bool is_placed = dart && placements.keeps_distance(dart->pose.position, distance) &&
                                problem.domain.accepts(problem.shapes[dart->component], dart->pose,
-                                                      problem.clearance() + dart->margin);
+                                                      clearance + dart->margin);
         ++counts.trials;
         if (is_placed) {
             placements.place(*dart);

@@ -137,9 +137,9 @@ double LayoutProblem::clearance() const {
     const Box2& box = domain.box();
     double reach = std::max(
         {std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)});
+    const double largest = scale_over(box).high;
     for (const CollisionShape& shape : shapes)
-        reach = std::max(reach, (shape.centre().length() + shape.radius()) * scale.high *
-                                    scale_over(box).high);
+        reach = std::max(reach, (shape.centre().length() + shape.radius()) * scale.high * largest);
     // Four roundings of 2^-24 (rotation times centre, position) for each of two elements.
     return 8 * 0x1p-24 * reach;
 }

@@ -8,6 +8,25 @@
 
 namespace scree {
 
+namespace {
+
+/// Whether two elements come nearer to each other than `clearance` and their margins; `offset`: the
+/// position of the first less that of the second.
+bool meet(const LayoutProblem& problem, const Dart& dart, const Dart& other, const Vec2& offset,
+          double clearance, std::uint64_t& queries) {
+    const CollisionShape& shape = problem.shapes[dart.component];
+    const CollisionShape& other_shape = problem.shapes[other.component];
+    const double apart = clearance + dart.margin + other.margin;
+    const double reach =
+        shape.radius() * dart.pose.scale + other_shape.radius() * other.pose.scale + apart;
+    if (offset.length2() > reach * reach)
+        return false;
+    ++queries;
+    return overlap(shape, dart.pose, other_shape, other.pose, offset, apart);
+}
+
+} // namespace
+
 bool SaturationSearch::try_dart(const Box2& box, std::uint64_t trial) {
     ++counts_.darts;
     const Vec2 position(random_.uniform(box.min.x, box.max.x),
@@ -15,17 +34,9 @@ bool SaturationSearch::try_dart(const Box2& box, std::uint64_t trial) {
     const std::optional<Dart> dart = throw_dart_at(layout_, trial, position, random_);
     if (!dart || !others_.is_free(*dart, counts_.queries))
         return false;
-    const CollisionShape& shape = layout_.shapes[dart->component];
     for (const Dart& other : placed_) {
-        const CollisionShape& other_shape = layout_.shapes[other.component];
         const Vec2 offset = layout_.domain.nearest_image(position - other.pose.position);
-        const double clearance = problem_.clearance + dart->margin + other.margin;
-        const double reach =
-            shape.radius() * dart->pose.scale + other_shape.radius() * other.pose.scale + clearance;
-        if (offset.length2() > reach * reach)
-            continue;
-        ++counts_.queries;
-        if (overlap(shape, dart->pose, other_shape, other.pose, offset, clearance))
+        if (meet(layout_, *dart, other, offset, problem_.clearance, counts_.queries))
             return false;
     }
     placed_.push_back(*dart);
@@ -33,20 +44,12 @@ bool SaturationSearch::try_dart(const Box2& box, std::uint64_t trial) {
 }
 
 bool SaturationSearch::is_free(const Dart& dart, const Vec2& offset) {
-    const CollisionShape& shape = layout_.shapes[dart.component];
-    const double radius = shape.radius() * dart.pose.scale;
-    for (const Neighbour& other : neighbours_) {
-        const CollisionShape& other_shape = layout_.shapes[other.dart.component];
-        const Vec2 between = offset - other.offset;
-        const double clearance = problem_.clearance + dart.margin + other.dart.margin;
-        const double reach = radius + other_shape.radius() * other.dart.pose.scale + clearance;
-        if (between.length2() > reach * reach)
-            continue;
-        ++counts_.queries;
-        if (overlap(shape, dart.pose, other_shape, other.dart.pose, between, clearance))
+    for (const Neighbour& other : neighbours_)
+        if (meet(layout_, dart, other.dart, offset - other.offset, problem_.clearance,
+                 counts_.queries))
             return false;
-    }
-    return layout_.domain.accepts(shape, dart.pose, problem_.clearance + dart.margin);
+    return layout_.domain.accepts(layout_.shapes[dart.component], dart.pose,
+                                  problem_.clearance + dart.margin);
 }
 
 /// Places the element at a point of the cell, at the allowed angle and scale nearest to these, if

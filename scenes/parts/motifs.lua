@@ -2,6 +2,15 @@
 -- ground through. Each is about 2 units long; y points down.
 local motifs = {}
 
+-- A matte material that gives each element one of these sRGB colors.
+function motifs.dye(...)
+  local palette = {}
+  for i, color in ipairs { ... } do
+    palette[i] = srgb(color)
+  end
+  return material.matte { palette = palette }
+end
+
 local function at(angle, radius) -- degrees clockwise from upwards
   local a = math.rad(angle)
   return string.format("%.4f %.4f ", radius * math.sin(a), -radius * math.cos(a))
