@@ -48,8 +48,7 @@ const Aggregate& chosen(const std::vector<Aggregate>& aggregates, const HeightOp
 }
 
 /// The heights in grey, the lowest black and the highest white.
-Image picture_of(const HeightField& map, float low, float high) {
-    Image picture = map.as_height().image;
+Image picture_of(Image picture, float low, float high) {
     for (float& v : picture.pixels)
         v = high > low ? (v - low) / (high - low) : 0.5F;
     return picture;
@@ -73,8 +72,8 @@ int write_map(const HeightOptions& options) {
     const Aggregate& aggregate = chosen(aggregates, options);
 
     stages.begin("write");
-    const HeightField map =
-        options.vector ? aggregate.height->as_vector() : aggregate.height->as_height();
+    const HeightField heights = aggregate.height->as_height();
+    const HeightField map = options.vector ? aggregate.height->as_vector() : heights;
     write_height(options.output, map,
                  {{"scree:version", SCREE_VERSION},
                   {"scree:scene", scene.name},
@@ -83,9 +82,9 @@ int write_map(const HeightOptions& options) {
                   {"scree:seed", std::to_string(aggregate.seed)},
                   {"scree:settings", scene.settings}});
     const std::string png = options.output.substr(0, options.output.size() - 3) + "png";
-    const std::vector<float> heights = aggregate.height->as_height().image.pixels;
-    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    write_png(png, picture_of(*aggregate.height, *low, *high));
+    const std::vector<float>& values = heights.image.pixels;
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    write_png(png, picture_of(heights.image, *low, *high));
     stages.end();
     console.say(fmt::format("wrote {} and {}: {} x {} pixels over {:.4g} x {:.4g} mm, heights from "
                             "{:.3g} mm (black) to {:.3g} mm (white)",
