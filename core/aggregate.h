@@ -3,6 +3,7 @@
 
 #include "core/height_field.h"
 #include "core/mesh.h"
+#include "core/picture.h"
 #include "core/region.h"
 
 #include <memory>
@@ -22,6 +23,7 @@ struct Prototype {
     std::shared_ptr<const Mesh> mesh;     // in its own frame [m]
     std::shared_ptr<const Region> region; // exclusive region, when the generator has one
     MaterialId material;
+    std::shared_ptr<const Picture> picture; // what it looks like from above, when it is one
 };
 
 /// One element of an aggregate.
@@ -46,7 +48,9 @@ struct Aggregate {
     std::vector<Instance> instances;
     std::shared_ptr<const Region> domain;      // when the generator has one
     std::shared_ptr<const HeightField> height; // when the generator makes a relief
-    bool torus = false; // the domain is a rectangle whose opposite sides are one
+    std::shared_ptr<const Picture> background; // fills the domain's bounding box, under all else
+    bool torus = false;   // the domain is a rectangle whose opposite sides are one
+    bool texture = false; // drawn as exactly the domain's bounding box, without paper or outlines
     Facts facts;
 };
 

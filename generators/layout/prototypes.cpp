@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/layout/prototypes.h"
 
+#include "generators/sampling/flat_mesh.h"
 #include "generators/sampling/region_tools.h"
 
 #include <fmt/format.h>
@@ -8,24 +9,6 @@
 namespace scree {
 
 namespace {
-
-/// The region as a flat mesh at y = 0 that faces up, with its bounding box as UV square.
-Mesh flat_mesh(const Region& region, std::string name) {
-    const Box2 box = bounds(region);
-    const Vec2 size = box.size();
-    Mesh mesh;
-    mesh.name = std::move(name);
-    for (const Vec2& v : region.vertices) {
-        mesh.positions.emplace_back(static_cast<float>(v.x), 0.0F, static_cast<float>(v.y));
-        mesh.normals.emplace_back(0.0F, 1.0F, 0.0F);
-        mesh.uvs.emplace_back(static_cast<float>((v.x - box.min.x) / size.x),
-                              static_cast<float>((v.y - box.min.y) / size.y));
-    }
-    // Counter-clockwise in (x, z) is clockwise seen from above.
-    for (const auto& t : region.triangles)
-        mesh.triangles.push_back({t[0], t[2], t[1]});
-    return mesh;
-}
 
 std::shared_ptr<const Region> own_region(const Params& component) {
     if (component.has("region"))
