@@ -162,23 +162,49 @@ void draw_pairs(Canvas& canvas, const AnalysisReport& report) {
         plot.legend(0, "all", ink);
 }
 
+// The curve of each kind when they can be told apart, below that of all.
+void draw_kinds(Plot& plot, const AnalysisReport& report, const auto& values_of, double step,
+                bool named) {
+    const std::size_t kinds = report.kind_names.size();
+    if (kinds > 1 && kinds <= kinds_shown) {
+        for (std::size_t kind = 0; kind < kinds; ++kind) {
+            plot.curve(centres_of_bins(values_of(report.radial_by_kind[kind]), step), 1.3,
+                       palette_color(kind));
+            if (named)
+                plot.legend(static_cast<int>(kind) + 1, report.kind_names[kind],
+                            palette_color(kind));
+        }
+        if (named)
+            plot.legend(0, "all", ink);
+    }
+    plot.curve(centres_of_bins(values_of(report.radial), step), 2.4, ink);
+}
+
 void draw_power(Canvas& canvas, const AnalysisReport& report) {
     const double step = report.radial.bin_width * report.spacing;
     const double limit = step * double(report.radial.power.size());
+    double top = std::max(2.0, 1.1 * highest(report.radial.power));
     Plot power(canvas, panel(0, 1), "Radial mean power", {0, limit, "frequency [1 / mean spacing]"},
-               {0, std::max(2.0, 1.1 * highest(report.radial.power)), "power"});
+               {0, top, "power"});
     power.horizontal(1, grey);
-    std::vector<double> known = report.radial.power;
-    for (std::size_t k = 0; k < known.size(); ++k)
-        if (report.radial.count[k] == 0) // the first annulus may hold frequency 0 alone
-            known[k] = std::numeric_limits<double>::quiet_NaN();
-    power.curve(centres_of_bins(known, step), 2, blue);
+    draw_kinds(
+        power, report,
+        [](const RadialSpectrum& radial) {
+            std::vector<double> known = radial.power;
+            for (std::size_t k = 0; k < known.size(); ++k)
+                if (radial.count[k] == 0) // the first annulus may hold frequency 0 alone
+                    known[k] = std::numeric_limits<double>::quiet_NaN();
+            return known;
+        },
+        step, true);
 
     const double expected = -10 * std::log10(double(report.layouts.size()));
     Plot anisotropy(canvas, panel(1, 1), "Anisotropy", {0, limit, "frequency [1 / mean spacing]"},
                     {expected - 15, expected + 15, "anisotropy [dB]"});
     anisotropy.horizontal(expected, grey);
-    anisotropy.curve(centres_of_bins(report.radial.anisotropy_db, step), 2, blue);
+    draw_kinds(
+        anisotropy, report, [](const RadialSpectrum& radial) { return radial.anisotropy_db; }, step,
+        false);
 }
 
 // Grey from 0 (black) to twice the power of unordered points (white); each pixel the mean of the

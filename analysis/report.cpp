@@ -63,13 +63,12 @@ void add(PairCorrelation& sum, const PairCorrelation& part, double weight) {
         sum.value[k] += weight * part.value[k];
 }
 
-void measure_points(std::span<const PlacedRegions> layouts, AnalysisReport& report) {
+void measure_pairs(std::span<const PlacedRegions> layouts, AnalysisReport& report) {
     const Vec2 size = bounds(*layouts[0].window.domain).size();
     // Just below half a side, where a torus begins to repeat and a window has few pairs.
     const double reach = std::min(pair_reach * report.spacing, 0.499 * std::min(size.x, size.y));
     const double share = 1 / double(layouts.size());
     report.pair_correlation_by_kind.resize(report.kind_names.size());
-    std::vector<PowerSpectrum> spectra;
     for (const PlacedRegions& layout : layouts) {
         add(report.pair_correlation,
             pair_correlation(layout.positions, layout.window, reach, pair_bins), share);
@@ -77,11 +76,22 @@ void measure_points(std::span<const PlacedRegions> layouts, AnalysisReport& repo
             add(report.pair_correlation_by_kind[kind],
                 pair_correlation(points_of_kind(layout, kind), layout.window, reach, pair_bins),
                 share);
-        spectra.push_back(
-            periodogram(layout.positions, layout.window, highest_frequency / report.spacing));
     }
-    report.spectrum = mean_spectrum(spectra);
+}
+
+void measure_spectra(std::span<const PlacedRegions> layouts, AnalysisReport& report) {
+    const auto mean_of = [&](const auto& points_of) {
+        std::vector<PowerSpectrum> spectra;
+        for (const PlacedRegions& layout : layouts)
+            spectra.push_back(
+                periodogram(points_of(layout), layout.window, highest_frequency / report.spacing));
+        return mean_spectrum(spectra);
+    };
+    report.spectrum = mean_of([](const PlacedRegions& layout) { return layout.positions; });
     report.radial = radial_spectrum(report.spectrum);
+    for (std::uint32_t kind = 0; kind < report.kind_names.size(); ++kind)
+        report.radial_by_kind.push_back(radial_spectrum(
+            mean_of([&](const PlacedRegions& layout) { return points_of_kind(layout, kind); })));
 }
 
 } // namespace
@@ -104,7 +114,8 @@ AnalysisReport analyse(std::span<const PlacedRegions> layouts,
         });
     if (report.has_regions)
         measure_regions(layouts, report);
-    measure_points(layouts, report);
+    measure_pairs(layouts, report);
+    measure_spectra(layouts, report);
     return report;
 }
 

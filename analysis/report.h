@@ -41,6 +41,7 @@ struct AnalysisReport {
     std::vector<PairCorrelation> pair_correlation_by_kind; // pairs of one kind
     PowerSpectrum spectrum;
     RadialSpectrum radial;
+    std::vector<RadialSpectrum> radial_by_kind; // points of one kind, in the same annuli
 };
 
 /// Measures layouts of one window; there must be at least one. `seeds` name them.

@@ -44,11 +44,18 @@ Json pairs_json(const AnalysisReport& report) {
 }
 
 // NaN becomes null.
-Json spectrum_json(const RadialSpectrum& radial) {
-    return {{"bin_width", radial.bin_width},
-            {"frequencies", radial.count},
-            {"power", radial.power},
-            {"anisotropy_db", radial.anisotropy_db}};
+Json spectra_json(const AnalysisReport& report) {
+    const RadialSpectrum& radial = report.radial;
+    Json out{{"bin_width", radial.bin_width},
+             {"frequencies", radial.count},
+             {"power", radial.power},
+             {"anisotropy_db", radial.anisotropy_db}};
+    out["components"] = Json::array();
+    for (std::size_t i = 0; i < report.kind_names.size(); ++i)
+        out["components"].push_back({{"name", report.kind_names[i]},
+                                     {"power", report.radial_by_kind[i].power},
+                                     {"anisotropy_db", report.radial_by_kind[i].anisotropy_db}});
+    return out;
 }
 
 Json report_json(const NamedReport& named) {
@@ -65,7 +72,7 @@ Json report_json(const NamedReport& named) {
         out["neighbours"] = distances_json(report.neighbour, report.neighbour_histogram);
     }
     out["pair_correlation"] = pairs_json(report);
-    out["radial_power"] = spectrum_json(report.radial);
+    out["radial_power"] = spectra_json(report);
     return out;
 }
 

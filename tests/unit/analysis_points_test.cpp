@@ -4,6 +4,7 @@
 #include "analysis/pair_correlation.h"
 #include "analysis/plot.h"
 #include "analysis/power_spectrum.h"
+#include "analysis/report.h"
 #include "core/canvas.h"
 #include "core/random.h"
 
@@ -147,6 +148,28 @@ TEST(PowerSpectrum, OfALatticeHasItsPeaksAndNothingElse) {
     EXPECT_GT(radial.power[16], 1);
     EXPECT_GT(radial.anisotropy_db[16], 10); // all its power in two directions
     EXPECT_NEAR(radial.power[8], 0, 1e-6);
+}
+
+TEST(PowerSpectrum, OfKindsIsThatOfTheirPointsAlone) {
+    PlacedRegions layout;
+    layout.window = rectangle(1, 1, true);
+    layout.kind_names = {"lattice", "random"};
+    layout.positions = square_lattice(16);
+    layout.kinds.resize(256, 0);
+    for (const Vec2& p : random_points(layout.window, 300, 5)) {
+        layout.positions.push_back(p);
+        layout.kinds.push_back(1);
+    }
+    const std::uint64_t seed = 0;
+    const AnalysisReport report = analyse(std::span(&layout, 1), std::span(&seed, 1));
+    ASSERT_EQ(report.radial_by_kind.size(), 2U);
+    const RadialSpectrum& lattice = report.radial_by_kind[0];
+    EXPECT_EQ(lattice.bin_width, report.radial.bin_width);
+    EXPECT_NEAR(lattice.power[8], 0, 1e-6);
+    EXPECT_GT(lattice.power[16], 1);
+    const RadialSpectrum& random = report.radial_by_kind[1];
+    for (std::size_t k = 5; k < random.power.size(); ++k)
+        EXPECT_NEAR(random.power[k], 1, 5.5 / std::sqrt(double(random.count[k]))) << k;
 }
 
 TEST(PowerSpectrum, TheWindowItselfDoesNotShow) {
