@@ -4,7 +4,9 @@
 
 #include <Random123/philox.h>
 
+#include <bit>
 #include <cstdint>
+#include <numbers>
 
 namespace scree {
 
@@ -27,6 +29,10 @@ enum class Purpose : std::uint32_t {
     leather_height = 42,
     leather_noise = 43,
     leather_pore = 44,
+    disk_dart = 45,
+    disk_class = 46,
+    element_attribute = 47,
+    disk_start = 48,
 };
 
 /// A stream of uniform numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et al.
@@ -58,6 +64,25 @@ class Random {
     }
 
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+    /// Exponentially distributed with mean 1, 32 bits. The logarithm is our own, since that of C
+    /// libraries differs between machines in its last bit: an odd series in (m - 1) / (m + 1) for
+    /// the mantissa m in [sqrt(1/2), sqrt(2)), whose rest is below 1e-8.
+    double exponential() {
+        const double u = (bits() + 0.5) * 0x1p-32;
+        const auto pattern = std::bit_cast<std::uint64_t>(u);
+        auto exponent = static_cast<int>(pattern >> 52) - 1023;
+        double m = std::bit_cast<double>((pattern & 0xFFFFFFFFFFFFFU) | 0x3FF0000000000000U);
+        if (m > std::numbers::sqrt2) {
+            m *= 0.5;
+            ++exponent;
+        }
+        const double s = (m - 1) / (m + 1);
+        const double s2 = s * s;
+        const double series =
+            s * (2 + s2 * (2.0 / 3 + s2 * (2.0 / 5 + s2 * (2.0 / 7 + s2 * (2.0 / 9)))));
+        return -(exponent * std::numbers::ln2 + series);
+    }
 
     /// Uniform integer in [0, n), n >= 1; without modulo bias (Lemire 2019).
     std::uint32_t below(std::uint32_t n) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/region.h"
-#include "generators/layout/float4.h"
+#include "core/float4.h"
 #include "generators/layout/inscribed_disks.h"
 #include "generators/layout/pose.h"
 

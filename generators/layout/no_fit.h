@@ -5,7 +5,7 @@
 
 #include "core/math.h"
 #include "core/region.h"
-#include "generators/layout/float4.h"
+#include "core/float4.h"
 
 #include <vector>
 

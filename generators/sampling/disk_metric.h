@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generators/sampling/convex_piece.h"
+#include "generators/sampling/poisson_disk.h"
+
+namespace scree {
+
+/// The ellipses of a problem: what they are at a place, and what is certain of them over a box.
+class DiskMetric {
+  public:
+    explicit DiskMetric(const PoissonDiskProblem& problem);
+
+    std::size_t class_count() const { return classes_.size(); }
+
+    /// The form of a sample whose own class it keeps away where it is below 1.
+    QuadraticForm form(std::uint32_t disk_class, double angle, double scale) const;
+
+    /// Where the form of a class-`of` sample must be below this, a class-`other` one conflicts.
+    double limit(std::uint32_t of, std::uint32_t other) const {
+        return limits_[of * class_count() + other];
+    }
+
+    double angle_at(const Vec2& p) const; // [rad] without the sample's own turn
+    double scale_at(const Vec2& p) const;
+
+    /// What holds for all places of a box.
+    struct Bounds {
+        double angle = 0;      // [rad] the middle one
+        double half_range = 0; // of the angles, pi at most
+        Range scale{1, 1};
+    };
+    Bounds over(const Box2& box) const;
+
+    /// A form whose ellipse lies in the ellipses of all samples of the class with a scale of
+    /// `bounds.scale.low` or more and an angle within `bounds.half_range` of `bounds.angle`.
+    QuadraticForm common_form(std::uint32_t disk_class, const Bounds& bounds) const;
+
+    const DiskClass& at(std::uint32_t disk_class) const { return classes_[disk_class]; }
+    bool is_round(std::uint32_t disk_class) const {
+        return classes_[disk_class].length == classes_[disk_class].width;
+    }
+    double longest() const { return longest_; }               // of all axes, at scale 1 [m]
+    double shortest() const { return shortest_; }             // of all axes [m]
+    double least_distance() const { return least_distance_; } // of class_distances [m]
+
+  private:
+    std::vector<DiskClass> classes_;
+    std::vector<double> limits_;
+    std::shared_ptr<const Field> direction_;
+    std::shared_ptr<const Field> scale_;
+    double longest_ = 0;
+    double shortest_ = 0;
+    double least_distance_ = 0;
+};
+
+} // namespace scree

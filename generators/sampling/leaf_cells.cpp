@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/sampling/leaf_cells.h"
+
+#include "core/error.h"
+
+#include <fmt/format.h>
+
+namespace scree {
+
+namespace {
+
+constexpr double max_roots = 0x1p28;
+
+// The side of a cell in which a disk of this distance leaves no room for a second one.
+double side_for(double distance) { return distance / std::numbers::sqrt2; }
+
+void keep_box(ConvexPiece& piece, const Box2& box) {
+    keep_left(piece, box.min, {1, 0});
+    keep_left(piece, box.max, {-1, 0});
+    keep_left(piece, box.min, {0, -1});
+    keep_left(piece, box.max, {0, 1});
+}
+
+ConvexPiece square(const Vec2& corner, const Vec2& size) {
+    ConvexPiece piece;
+    for (const Vec2& at : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})
+        piece.add(corner + at * size);
+    return piece;
+}
+
+} // namespace
+
+LeafCells::LeafCells(const PoissonDiskProblem& problem, const DiskMetric& metric)
+    : torus_(problem.torus) {
+    make_grid(problem, metric);
+    const DomainCells domain(*problem.domain, grid_);
+    for (int row = 0; row < grid_.rows; ++row)
+        for (int column = 0; column < grid_.columns; ++column) {
+            const std::size_t root =
+                std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
+            first_leaf_.push_back(count());
+            const Leaf leaf{.corner = grid_.corner(column, row)};
+            std::vector<ConvexPiece> pieces;
+            if (torus_ || domain.kind(root) == DomainCells::Kind::inside)
+                pieces.push_back(square(leaf.corner, grid_.cell));
+            for (ConvexPiece piece : domain.parts(root)) {
+                if (torus_)
+                    break;
+                for (int i = 0; i < piece.count; ++i)
+                    piece.corner[std::size_t(i)] += leaf.corner;
+                pieces.push_back(piece);
+            }
+            if (problem.window) {
+                for (ConvexPiece& piece : pieces)
+                    keep_box(piece, *problem.window);
+                std::erase_if(pieces, [](const ConvexPiece& piece) { return piece.count < 3; });
+            }
+            add_leaves(leaf, std::move(pieces), metric);
+        }
+    first_leaf_.push_back(count());
+    first_piece_.push_back(static_cast<std::uint32_t>(pieces_.size()));
+    set_distances(metric);
+}
+
+// Roots are as large as the largest disks' cells; around what is to be filled there are as many as
+// may hold samples that matter.
+void LeafCells::make_grid(const PoissonDiskProblem& problem, const DiskMetric& metric) {
+    Box2 box = bounds(*problem.domain);
+    const double largest = metric.over(box).scale.high;
+    const double side = side_for(metric.least_distance() * largest);
+    const double reach = metric.longest() * largest;
+    if (!torus_) {
+        if (problem.window) {
+            box.min = {std::max(box.min.x, problem.window->min.x),
+                       std::max(box.min.y, problem.window->min.y)};
+            box.max = {std::min(box.max.x, problem.window->max.x),
+                       std::min(box.max.y, problem.window->max.y)};
+            box.max = {std::max(box.min.x, box.max.x), std::max(box.min.y, box.max.y)};
+        }
+        if (!problem.kept.empty()) {
+            box.min -= Vec2(reach, reach);
+            box.max += Vec2(reach, reach);
+        }
+    }
+    const Vec2 size = box.size();
+    if (!((size.x / side + 1) * (size.y / side + 1) < max_roots))
+        throw Error(fmt::format("the domain of {:.4g} x {:.4g} m is too large for a distance of "
+                                "{:.4g} m: there would be over {:.1g} elements",
+                                size.x, size.y, metric.least_distance(), 0.35 * max_roots));
+    grid_.origin = box.min;
+    if (torus_) {
+        period_ = size;
+        grid_.columns = static_cast<int>(std::ceil(size.x / side));
+        grid_.rows = static_cast<int>(std::ceil(size.y / side));
+        grid_.cell = {size.x / grid_.columns, size.y / grid_.rows};
+    } else {
+        grid_.columns = static_cast<int>(std::floor(size.x / side)) + 1;
+        grid_.rows = static_cast<int>(std::floor(size.y / side)) + 1;
+        grid_.cell = {side, side};
+    }
+}
+
+void LeafCells::add_leaves(const Leaf& leaf, std::vector<ConvexPiece> pieces,
+                           const DiskMetric& metric) {
+    const Vec2 size = grid_.cell * double(leaf.share);
+    const Box2 all(leaf.corner, leaf.corner + size);
+    const Range scale = metric.over(all).scale;
+    const double wanted = side_for(metric.least_distance() * scale.low);
+    // No deeper than the scale's jumps make sense.
+    if (!pieces.empty() && std::max(size.x, size.y) > 1.5 * wanted && leaf.share > 0x1p-12F) {
+        const Vec2 half = size / 2;
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            const Leaf child{.corner = leaf.corner + Vec2(quarter % 2, quarter / 2) * half,
+                             .share = leaf.share / 2};
+            std::vector<ConvexPiece> parts;
+            for (ConvexPiece piece : pieces) {
+                keep_box(piece, {child.corner, child.corner + half});
+                if (piece.count >= 3)
+                    parts.push_back(piece);
+            }
+            add_leaves(child, std::move(parts), metric);
+        }
+        return;
+    }
+    leaves_.push_back(leaf);
+    leaves_.back().reach = std::nextafter(static_cast<float>(metric.longest() * scale.high), 1e30F);
+    first_piece_.push_back(static_cast<std::uint32_t>(pieces_.size()));
+    for (const ConvexPiece& piece : pieces)
+        if (area(piece) > 0)
+            pieces_.push_back(piece);
+}
+
+// A cell matters to another when samples of either reach the other.
+void LeafCells::set_distances(const DiskMetric&) {
+    const std::size_t roots = first_leaf_.size() - 1;
+    std::vector<float> reach(roots, 0), farthest(roots, 0);
+    for (std::size_t r = 0; r < roots; ++r)
+        for (std::uint32_t leaf = first_leaf_[r]; leaf < first_leaf_[r + 1]; ++leaf)
+            reach[r] = std::max(reach[r], leaves_[leaf].reach);
+    const float overall = roots > 0 ? *std::max_element(reach.begin(), reach.end()) : 0;
+    const bool even =
+        std::all_of(reach.begin(), reach.end(), [&](float v) { return v > 0.8F * overall; });
+    const auto wrapped = [](int i, int n) { return (i % n + n) % n; };
+    for (int row = 0; row < grid_.rows && !even; ++row)
+        for (int column = 0; column < grid_.columns; ++column) {
+            const std::size_t r =
+                std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
+            const int dx = static_cast<int>(std::ceil(double(reach[r]) / grid_.cell.x));
+            const int dy = static_cast<int>(std::ceil(double(reach[r]) / grid_.cell.y));
+            for (int y = row - dy; y <= row + dy; ++y)
+                for (int x = column - dx; x <= column + dx; ++x) {
+                    const bool inside = x >= 0 && y >= 0 && x < grid_.columns && y < grid_.rows;
+                    if (!inside && !torus_)
+                        continue;
+                    float& f =
+                        farthest[std::size_t(wrapped(y, grid_.rows)) * std::size_t(grid_.columns) +
+                                 std::size_t(wrapped(x, grid_.columns))];
+                    f = std::max(f, reach[r]);
+                }
+        }
+    for (std::size_t r = 0; r < roots; ++r)
+        for (std::uint32_t leaf = first_leaf_[r]; leaf < first_leaf_[r + 1]; ++leaf)
+            leaves_[leaf].distance = even ? overall : std::max(leaves_[leaf].reach, farthest[r]);
+}
+
+std::span<const ConvexPiece> LeafCells::pieces(std::uint32_t leaf) const {
+    return {pieces_.data() + first_piece_[leaf], first_piece_[leaf + 1] - first_piece_[leaf]};
+}
+
+std::optional<std::uint32_t> LeafCells::leaf_at(const Vec2& point) const {
+    Vec2 p = point - grid_.origin;
+    if (torus_)
+        p -= Vec2(std::floor(p.x / period_.x) * period_.x, std::floor(p.y / period_.y) * period_.y);
+    int column = static_cast<int>(std::floor(p.x / grid_.cell.x));
+    int row = static_cast<int>(std::floor(p.y / grid_.cell.y));
+    if (torus_) {
+        column = std::min(column, grid_.columns - 1);
+        row = std::min(row, grid_.rows - 1);
+    }
+    if (column < 0 || row < 0 || column >= grid_.columns || row >= grid_.rows)
+        return std::nullopt;
+    const std::size_t root = std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
+    // The nearest of the root's cells, which is the one around the point up to rounding.
+    std::uint32_t best = first_leaf_[root];
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t leaf = first_leaf_[root]; leaf < first_leaf_[root + 1]; ++leaf) {
+        const Box2 b = box(leaf);
+        const Vec2 d = p + grid_.origin - b.center();
+        const double outside = std::max(std::abs(d.x) / b.size().x, std::abs(d.y) / b.size().y);
+        if (outside < least) {
+            least = outside;
+            best = leaf;
+        }
+    }
+    return best;
+}
+
+} // namespace scree
