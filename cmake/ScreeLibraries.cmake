@@ -14,6 +14,8 @@ find_package(Lua 5.4 REQUIRED)
 find_package(tinyobjloader CONFIG REQUIRED)
 find_package(TinyGLTF CONFIG REQUIRED)
 find_package(pugixml CONFIG REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(librsvg REQUIRED IMPORTED_TARGET librsvg-2.0>=2.52)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 
 # Embree 3 or 4, whichever there is; render/world.cpp adapts to both.

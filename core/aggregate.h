@@ -23,7 +23,7 @@ struct Prototype {
     std::shared_ptr<const Mesh> mesh;     // in its own frame [m]
     std::shared_ptr<const Region> region; // exclusive region, when the generator has one
     MaterialId material;
-    std::shared_ptr<const Picture> picture; // what it looks like from above, when it is one
+    std::shared_ptr<const Picture> picture{}; // what it looks like from above, when it is one
 };
 
 /// One element of an aggregate.

@@ -1,76 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/canvas.h"
 
+#include "core/coverage.h"
+#include "core/display_encoding.h"
+#include "core/parallel.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace scree {
 
-/// Signed area that edges cover of the pixels of a box, as differences along each row: the running
-/// sum of a row is the winding number averaged over each pixel (the scheme of R. Levien's font-rs,
-/// 2016).
-struct Canvas::Coverage {
-    int left = 0, top = 0, width = 0, height = 0;
-    std::vector<double> differences;
-
-    Coverage(const Box2& box, const Box2& clip) {
-        left = static_cast<int>(std::floor(std::max(box.min.x, clip.min.x)));
-        top = static_cast<int>(std::floor(std::max(box.min.y, clip.min.y)));
-        width = static_cast<int>(std::ceil(std::min(box.max.x, clip.max.x))) - left;
-        height = static_cast<int>(std::ceil(std::min(box.max.y, clip.max.y))) - top;
-        if (width <= 0 || height <= 0)
-            width = height = 0;
-        differences.assign(std::size_t(width + 2) * std::size_t(height), 0.0);
-    }
-
-    void add(std::span<const Vec2> ring) {
-        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-            add_edge(ring[j], ring[i]);
-    }
-
-    void add_edge(Vec2 a, Vec2 b) {
-        const double sign = a.y < b.y ? 1 : -1;
-        if (a.y > b.y)
-            std::swap(a, b);
-        const double first = std::max(a.y, double(top));
-        const double last = std::min(b.y, double(top + height));
-        if (!(first < last))
-            return;
-        const double slope = (b.x - a.x) / (b.y - a.y);
-        for (int y = static_cast<int>(first); y < last; ++y) {
-            const double y0 = std::max(first, double(y));
-            const double y1 = std::min(last, double(y + 1));
-            if (y0 < y1)
-                add_span(y - top, a.x + (y0 - a.y) * slope, a.x + (y1 - a.y) * slope,
-                         sign * (y1 - y0));
-        }
-    }
-
-    // An edge inside one row: each pixel it crosses gets its share of the height, split by where
-    // in the pixel it crosses.
-    void add_span(int row, double x0, double x1, double height_share) {
-        x0 = std::clamp(x0 - left, 0.0, double(width));
-        x1 = std::clamp(x1 - left, 0.0, double(width));
-        if (x0 > x1)
-            std::swap(x0, x1);
-        double* out = &differences[std::size_t(row) * std::size_t(width + 2)];
-        const int first = static_cast<int>(x0);
-        const int last = static_cast<int>(x1);
-        for (int x = first; x <= last; ++x) {
-            const double l = std::max(x0, double(x));
-            const double r = std::min(x1, double(x + 1));
-            const double share =
-                x1 > x0 ? height_share * std::max(0.0, r - l) / (x1 - x0) : height_share;
-            const double covered = 1 - ((l + r) / 2 - x);
-            out[x] += share * covered;
-            out[x + 1] += share * (1 - covered);
-        }
-    }
-};
-
 Canvas::Canvas(int width, int height, const Color& paper) : image_(width, height, {"R", "G", "B"}) {
     for (std::size_t i = 0; i < image_.pixels.size(); ++i)
         image_.pixels[i] = paper[static_cast<int>(i % 3)];
+    clip_nothing();
+}
+
+Canvas::Canvas(int width, int height) : image_(width, height, {"R", "G", "B", "A"}) {
     clip_nothing();
 }
 
@@ -89,19 +35,15 @@ void Canvas::blend(int x, int y, double share, const Color& color) {
     float* pixel = image_.at(x, y);
     for (int c = 0; c < 3; ++c)
         pixel[c] += static_cast<float>(share) * (color[c] - pixel[c]);
+    if (image_.channels.size() == 4)
+        pixel[3] += static_cast<float>(share) * (1 - pixel[3]);
 }
 
 void Canvas::paint(const Coverage& coverage, const Color& color, double opacity) {
-    for (int row = 0; row < coverage.height; ++row) {
-        double winding = 0;
-        for (int x = 0; x < coverage.width; ++x) {
-            winding += coverage.differences[std::size_t(row) * std::size_t(coverage.width + 2) +
-                                            std::size_t(x)];
-            const double share = std::min(1.0, std::abs(winding)) * opacity;
-            if (share > 1e-6)
-                blend(coverage.left + x, coverage.top + row, share, color);
-        }
-    }
+    for (int row = 0; row < coverage.height(); ++row)
+        coverage.for_row(row, [&](int x, double share) {
+            blend(x, coverage.top() + row, share * opacity, color);
+        });
 }
 
 void Canvas::fill(std::span<const Ring> rings, const Color& color, double opacity) {
@@ -115,6 +57,31 @@ void Canvas::fill(std::span<const Ring> rings, const Color& color, double opacit
     for (const Ring& ring : rings)
         coverage.add(ring);
     paint(coverage, color, opacity);
+}
+
+void Canvas::draw(const PictureFilter& picture, const PicturePlace& place) {
+    const Vec2 far = place.origin + place.u + place.v;
+    const Vec2 corners[] = {place.origin, place.origin + place.u, far, place.origin + place.v};
+    Box2 box;
+    for (const Vec2& corner : corners)
+        box.extendBy(corner);
+    Coverage coverage(box, clip_);
+    if (coverage.height() == 0)
+        return;
+    coverage.add(corners);
+    const PictureFilter::Placed placed = picture.placed(place);
+    const bool has_alpha = image_.channels.size() == 4;
+    parallel_for(std::size_t(coverage.height()), 8, [&](std::size_t i) {
+        const int row = static_cast<int>(i);
+        const int y = coverage.top() + row;
+        coverage.for_row(row, [&](int x, double share) {
+            const Rgba over = placed.at({x + 0.5, y + 0.5});
+            const auto part = static_cast<float>(share);
+            float* pixel = image_.at(x, y);
+            for (std::size_t c = 0; c < (has_alpha ? 4 : 3); ++c)
+                pixel[c] = part * over[c] + pixel[c] * (1 - part * over[3]);
+        });
+    });
 }
 
 void Canvas::stroke(std::span<const Vec2> points, double width, const Color& color, bool closed,
@@ -167,10 +134,7 @@ void Canvas::text(const Vec2& at, const std::string& text, double size, const Co
 }
 
 Color display_color(const Color& linear) {
-    const auto encode = [](float v) {
-        v = std::clamp(v, 0.0F, 1.0F);
-        return v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
-    };
+    const auto encode = [](float v) { return display_from_linear(std::clamp(v, 0.0F, 1.0F)); };
     return {encode(linear.x), encode(linear.y), encode(linear.z)};
 }
 

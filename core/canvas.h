@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/image.h"
+#include "core/picture_filter.h"
 #include "core/region.h"
 
 #include <span>
@@ -13,16 +14,24 @@ namespace scree {
 /// Which point of a text lies at the place it is drawn at.
 enum class Align { left, centre, right };
 
-/// A picture to draw on. Coordinates are pixels with (0, 0) at the top left corner of the picture;
-/// colours are display-encoded (sRGB). Edges are smoothed by the exact area that a shape covers
-/// of each pixel.
+class Coverage;
+
+/// A picture to draw on. Coordinates are pixels with (0, 0) at the top left corner of the picture.
+/// Edges are smoothed by the exact area that a shape covers of each pixel. Colours are mixed as
+/// they are given: display-encoded (sRGB) for plots, linear to put pictures over each other.
 class Canvas {
   public:
     Canvas(int width, int height, const Color& paper);
 
+    /// Without paper: R, G, B multiplied by A, all 0.
+    Canvas(int width, int height);
+
     /// Fills rings whose outer ones turn one way and whose holes turn the other; rings may meet
     /// but not overlap.
     void fill(std::span<const Ring> rings, const Color& color, double opacity = 1);
+
+    /// Puts a picture over what is there, filtered where it is turned, shrunk or grown.
+    void draw(const PictureFilter& picture, const PicturePlace& place);
 
     /// Lines of `width` pixels with round joints and ends.
     void stroke(std::span<const Vec2> points, double width, const Color& color, bool closed = false,
@@ -43,7 +52,6 @@ class Canvas {
     const Image& image() const { return image_; }
 
   private:
-    struct Coverage;
     void paint(const Coverage& coverage, const Color& color, double opacity);
     void blend(int x, int y, double share, const Color& color);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image.h"
 
+#include "core/display_encoding.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/parallel.h"
@@ -71,10 +72,6 @@ void check_size(const std::string& path, std::int64_t width, std::int64_t height
                     std::to_string(height) + " with " + std::to_string(channels) + " channels");
 }
 
-float linear_from_srgb(float v) { // IEC 61966-2-1
-    return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
-}
-
 std::vector<std::string> channel_names(int count) {
     static const std::vector<std::string> names[] = {
         {"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
@@ -112,7 +109,7 @@ Image read_display_image(const std::string& path, const char* format, bool to_li
     for (std::size_t i = 0; i < image.pixels.size(); i += std::size_t(spec.nchannels)) {
         const float alpha = spec.nchannels > colors ? image.pixels[i + std::size_t(colors)] : 1.0F;
         for (std::size_t c = i; c < i + std::size_t(colors); ++c)
-            image.pixels[c] = alpha * linear_from_srgb(image.pixels[c]);
+            image.pixels[c] = alpha * linear_from_display(image.pixels[c]);
     }
     return image;
 }
@@ -341,8 +338,8 @@ ExrFile read_exr(const std::string& path) {
     });
 }
 
-void write_exr(const std::string& path, std::span<const ImagePart> parts,
-               const Metadata& metadata, const HeaderNumbers& numbers) {
+void write_exr(const std::string& path, std::span<const ImagePart> parts, const Metadata& metadata,
+               const HeaderNumbers& numbers) {
     assert(!parts.empty());
     write_atomically(path, [&](const std::string& temporary) {
         std::vector<Imf::Header> headers;
@@ -366,7 +363,7 @@ void write_exr(const std::string& path, std::span<const ImagePart> parts,
     });
 }
 
-void write_png(const std::string& path, const Image& image, const Metadata& metadata) {
+std::string png_bytes(const Image& image, const Metadata& metadata) {
     const int channels = static_cast<int>(image.channels.size());
     std::vector<unsigned char> steps(image.pixels.size());
     std::size_t i = 0;
@@ -389,9 +386,13 @@ void write_png(const std::string& path, const Image& image, const Metadata& meta
     const auto output = OIIO::ImageOutput::create("memory.png", &memory);
     if (!output || !output->open("memory.png", spec) ||
         !output->write_image(OIIO::TypeUInt8, steps.data()) || !output->close())
-        throw Error::resource("cannot write " + path + ": " +
+        throw Error::resource("cannot make a PNG: " +
                               (output ? output->geterror() : OIIO::geterror()));
-    write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+void write_png(const std::string& path, const Image& image, const Metadata& metadata) {
+    write_file(path, png_bytes(image, metadata));
 }
 
 } // namespace scree

@@ -63,8 +63,12 @@ ExrFile read_exr(const std::string& path);
 void write_exr(const std::string& path, std::span<const ImagePart> parts, const Metadata& metadata,
                const HeaderNumbers& numbers = {});
 
-/// Writes 8-bit PNG atomically; `image` has 1, 3 or 4 channels already display-encoded in [0, 1].
-/// Dithered by no more than half a step with a fixed pattern, to hide banding.
+/// An 8-bit PNG as bytes; `image` has 1, 3 or 4 channels already display-encoded in [0, 1].
+/// Dithered by no more than half a step with a fixed pattern, to hide banding. Throws Error
+/// (resource) when that fails.
+std::string png_bytes(const Image& image, const Metadata& metadata = {});
+
+/// Writes it atomically. Throws Error (resource) on an unwritable path or a full disk.
 void write_png(const std::string& path, const Image& image, const Metadata& metadata = {});
 
 } // namespace scree

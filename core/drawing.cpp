@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/drawing.h"
+
+#include "core/drawing_raster.h"
+#include "core/drawing_style.h"
+#include "core/error.h"
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace scree {
+
+namespace {
+
+constexpr int deepest = 200; // drawings stay below 20
+
+// Spaces between words of texts count.
+constexpr unsigned parsing = pugi::parse_default | pugi::parse_ws_pcdata;
+
+std::string_view local_name(std::string_view name) { return name.substr(name.find(':') + 1); }
+
+bool is_reference(std::string_view attribute) {
+    return local_name(attribute) == "href" || local_name(attribute) == "src";
+}
+
+bool is_element(const pugi::xml_node& node) { return node.type() == pugi::node_element; }
+
+std::string style_text(const pugi::xml_node& style) {
+    std::string text;
+    for (const pugi::xml_node& child : style.children())
+        text += child.value();
+    return text;
+}
+
+std::string serialized(const pugi::xml_node& root) {
+    std::ostringstream out;
+    root.print(out, "", pugi::format_raw);
+    return out.str();
+}
+
+/// Calls `visit` for every element, parents first.
+template <class Visit>
+void for_each_element(pugi::xml_node root, const Visit& visit) {
+    struct Walker : pugi::xml_tree_walker {
+        const Visit* visit = nullptr;
+        bool for_each(pugi::xml_node& node) override {
+            if (is_element(node))
+                (*visit)(node, depth());
+            return true;
+        }
+    } walker;
+    walker.visit = &visit;
+    visit(root, 0);
+    root.traverse(walker);
+}
+
+class Checker {
+  public:
+    explicit Checker(const std::string& bytes) : bytes_(bytes) {
+        const pugi::xml_parse_result result =
+            document_.load_buffer(bytes.data(), bytes.size(), parsing | pugi::parse_doctype);
+        if (!result)
+            throw Error(fmt::format("line {}: {}", line_of(result.offset), result.description()));
+        for (const pugi::xml_node& node : document_.children())
+            if (node.type() == pugi::node_doctype &&
+                std::string_view(node.value()).find('[') != std::string_view::npos)
+                fail(node, "declares entities, which are not read; save it as plain SVG");
+        if (local_name(root().name()) != "svg")
+            fail(root(),
+                 fmt::format("the file's element is \"{:.30}\", expected svg", root().name()));
+        for_each_element(root(), [&](const pugi::xml_node& node, int depth) {
+            if (depth > deepest)
+                fail(node, fmt::format("elements are nested more than {} deep", deepest));
+            check(node);
+        });
+    }
+
+    pugi::xml_node root() const { return document_.document_element(); }
+
+  private:
+    [[noreturn]] void fail(const pugi::xml_node& node, const std::string& message) const {
+        throw Error(fmt::format("line {}: {}", line_of(node.offset_debug()), message));
+    }
+
+    std::size_t line_of(std::ptrdiff_t offset) const {
+        const std::size_t end =
+            std::min(bytes_.size(), std::size_t(std::max<std::ptrdiff_t>(0, offset)));
+        return 1 + std::size_t(std::count(bytes_.begin(),
+                                          bytes_.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+    }
+
+    void check(const pugi::xml_node& node) const {
+        static const std::string_view refused[] = {"script",   "foreignObject", "handler",
+                                                   "listener", "iframe",        "object",
+                                                   "embed",    "audio",         "video"};
+        const std::string_view name = local_name(node.name());
+        if (std::find(std::begin(refused), std::end(refused), name) != std::end(refused))
+            fail(node, fmt::format("holds an element \"{}\"; only what is drawn is taken", name));
+        for (const pugi::xml_attribute& attribute : node.attributes())
+            check(node, name, attribute);
+        if (name == "style") {
+            try {
+                check_style(style_text(node));
+            } catch (const Error& error) {
+                fail(node, "style: " + error.diagnostics().front().message);
+            }
+        }
+    }
+
+    void check(const pugi::xml_node& node, std::string_view element,
+               const pugi::xml_attribute& attribute) const {
+        const std::string_view name = attribute.name();
+        const std::string_view value = attribute.value();
+        const auto refuse = [&](const std::string& why) {
+            fail(node, fmt::format("{}: {}: {}", element, name, why));
+        };
+        if (name.starts_with("on"))
+            refuse("is a script; only what is drawn is taken");
+        if (element == "a" && is_reference(name))
+            return; // a link, which `read_drawing` leaves out
+        if (is_reference(name) && !is_inside(value))
+            refuse(fmt::format("refers to \"{:.60}\", outside the file; embed it", value));
+        if (name == "attributeName" && is_reference(value))
+            refuse("animates a reference");
+        if (name.find(':') != std::string_view::npos)
+            return; // other programs' notes
+        if (const std::string outside = outside_reference(value); !outside.empty())
+            refuse(fmt::format("refers to \"{:.60}\", outside the file; embed it", outside));
+    }
+
+    const std::string& bytes_;
+    pugi::xml_document document_;
+};
+
+// What other programs keep for themselves.
+bool is_note(const pugi::xml_node& node) {
+    const std::string_view name = node.name();
+    return local_name(name) == "metadata" || name.starts_with("sodipodi:");
+}
+
+void remove_notes(pugi::xml_node node) {
+    for (pugi::xml_node child = node.first_child(); child;) {
+        const pugi::xml_node next = child.next_sibling();
+        if (is_element(child) && is_note(child))
+            node.remove_child(child);
+        child = next;
+    }
+}
+
+void set_attribute(pugi::xml_node node, const char* name, const std::string& value) {
+    node.remove_attribute(name);
+    node.append_attribute(name).set_value(value.c_str());
+}
+
+void rename(pugi::xml_node node, const std::string& prefix, const std::string& scope) {
+    for (pugi::xml_attribute attribute : node.attributes()) {
+        const std::string value = attribute.value();
+        if (local_name(attribute.name()) == "id")
+            attribute.set_value((prefix + value).c_str());
+        else if (is_reference(attribute.name()) && value.starts_with('#'))
+            attribute.set_value(("#" + prefix + value.substr(1)).c_str());
+        else if (value.find("url(") != std::string::npos)
+            attribute.set_value(with_prefix(value, prefix).c_str());
+    }
+    if (local_name(node.name()) == "style") {
+        const std::string text = scoped_style(style_text(node), prefix, scope);
+        node.remove_children();
+        node.append_child(pugi::node_pcdata).set_value(text.c_str());
+    }
+}
+
+} // namespace
+
+Drawing read_drawing(const std::string& bytes) {
+    const Checker checked(bytes);
+    pugi::xml_document document;
+    pugi::xml_node root = document.append_copy(checked.root());
+    remove_notes(root);
+    for_each_element(root, [](pugi::xml_node node, int) {
+        node.remove_attribute("xml:base");
+        if (local_name(node.name()) == "a")
+            for (const char* link : {"href", "xlink:href"})
+                node.remove_attribute(link);
+    });
+    const Vec2 size = drawing_size(serialized(root));
+    if (!root.attribute("viewBox")) {
+        set_attribute(root, "viewBox", fmt::format("0 0 {:.9g} {:.9g}", size.x, size.y));
+        set_attribute(root, "preserveAspectRatio", "none");
+    }
+    for (const char* own : {"x", "y", "width", "height"})
+        root.remove_attribute(own);
+    return {serialized(root), size};
+}
+
+std::string embedded_drawing(const std::string& markup, const std::string& prefix,
+                             const std::string& scope, const Box2& place) {
+    pugi::xml_document document;
+    if (!document.load_buffer(markup.data(), markup.size(), parsing))
+        throw std::logic_error("the drawing was not read by read_drawing");
+    pugi::xml_node root = document.document_element();
+    for_each_element(root, [&](const pugi::xml_node& node, int) { rename(node, prefix, scope); });
+    const Vec2 size = place.size();
+    set_attribute(root, "x", fmt::format("{:.9g}", place.min.x));
+    set_attribute(root, "y", fmt::format("{:.9g}", place.min.y));
+    set_attribute(root, "width", fmt::format("{:.9g}", size.x));
+    set_attribute(root, "height", fmt::format("{:.9g}", size.y));
+    return serialized(root);
+}
+
+} // namespace scree

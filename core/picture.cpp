@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/picture.h"
+
+#include "core/drawing.h"
+#include "core/drawing_raster.h"
+#include "core/error.h"
+#include "core/file.h"
+
+#include <algorithm>
+#include <fstream>
+
+namespace scree {
+
+namespace {
+
+constexpr std::uint64_t largest_drawing = std::uint64_t{16} << 20; // drawings of motifs have 1 MB
+
+// By content, as images are told apart: XML begins with a bracket.
+bool is_drawing(const std::string& path) {
+    if (extension(path) == "svg")
+        return true;
+    std::ifstream in(path, std::ios::binary);
+    std::string start(256, '\0');
+    in.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(in.gcount()));
+    const std::size_t first = start.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    return first != std::string::npos && start[first] == '<';
+}
+
+Box2 unit_box(const Vec2& size) {
+    const Vec2 half = size / (2 * std::max(size.x, size.y));
+    return {-half, half};
+}
+
+// Y, Y A, R G B and R G B A as the last.
+Image with_all_channels(Image image) {
+    using Names = std::vector<std::string>;
+    const Names all{"R", "G", "B", "A"};
+    if (image.channels == all)
+        return image;
+    const auto index = [&](const char* name) {
+        return std::find(image.channels.begin(), image.channels.end(), name) -
+               image.channels.begin();
+    };
+    const std::ptrdiff_t none = std::ssize(image.channels);
+    std::ptrdiff_t from[] = {index("R"), index("G"), index("B"), index("A")};
+    if (const std::ptrdiff_t grey = index("Y"); grey != none)
+        from[0] = from[1] = from[2] = grey;
+    if (std::max({from[0], from[1], from[2]}) == none)
+        throw Error("is no picture: it has neither R, G and B nor Y");
+    Image out(image.width, image.height, all);
+    for (std::size_t i = 0; i < out.pixels.size() / 4; ++i)
+        for (std::size_t c = 0; c < 4; ++c)
+            out.pixels[4 * i + c] =
+                from[c] == none ? 1.0F
+                                : image.pixels[i * image.channels.size() + std::size_t(from[c])];
+    return out;
+}
+
+void check_finite(const Image& image) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        if (!std::isfinite(image.pixels[i]))
+            throw Error("pixel (" + std::to_string(i / 4 % std::size_t(image.width)) + ", " +
+                        std::to_string(i / 4 / std::size_t(image.width)) +
+                        ") is not a finite number");
+}
+
+void read_pixels(const std::string& path, Picture& picture) {
+    picture.image = read_image(path);
+    try {
+        picture.image = with_all_channels(std::move(picture.image));
+        check_finite(picture.image);
+    } catch (const Error& error) {
+        throw Error(path + ": " + error.diagnostics().front().message);
+    }
+    picture.box = unit_box({double(picture.image.width), double(picture.image.height)});
+}
+
+void read_vectors(const std::string& path, int pixels, Picture& picture) {
+    const std::string bytes = read_file(path, largest_drawing);
+    try {
+        Drawing drawing = read_drawing(bytes);
+        const double scale = pixels / std::max(drawing.size.x, drawing.size.y);
+        const auto side = [&](double length) {
+            return std::max(1, static_cast<int>(std::lround(length * scale)));
+        };
+        picture.image =
+            rasterised(drawing.markup, drawing.size, side(drawing.size.x), side(drawing.size.y));
+        picture.box = unit_box(drawing.size);
+        picture.drawing = std::move(drawing.markup);
+    } catch (const Error& error) {
+        const std::string message = path + ": " + error.diagnostics().front().message;
+        throw error.fault() == Fault::resource ? Error::resource(message) : Error(message);
+    }
+}
+
+} // namespace
+
+Picture read_picture(const std::string& path, int pixels) {
+    Picture picture;
+    picture.name = file_name(path);
+    if (is_drawing(path))
+        read_vectors(path, pixels, picture);
+    else
+        read_pixels(path, picture);
+    return picture;
+}
+
+} // namespace scree
