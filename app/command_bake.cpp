@@ -3,9 +3,11 @@
 #include "app/layout_colors.h"
 #include "app/load.h"
 #include "app/run_stats.h"
+#include "core/display_encoding.h"
 #include "core/file.h"
 #include "core/image.h"
 #include "core/parallel.h"
+#include "core/version.h"
 #include "formats/bake_json.h"
 #include "formats/layout_picture.h"
 
@@ -41,7 +43,21 @@ void bake_to_svg(const BakeOptions& options, const Scene& scene,
 
 void bake_to_png(const BakeOptions& options, const Scene& scene,
                  std::span<const Aggregate> aggregates) {
-    write_png(options.output, layout_image(aggregates, layout_colors(scene), options.size));
+    write_png(options.output,
+              display_image(layout_image(aggregates, layout_colors(scene), options.size)));
+}
+
+void bake_to_exr(const BakeOptions& options, const Scene& scene,
+                 std::span<const Aggregate> aggregates) {
+    const ImagePart part{"layout", layout_image(aggregates, layout_colors(scene), options.size)};
+    const Box2 box = picture_box(aggregates);
+    write_exr(
+        options.output, {&part, 1},
+        {{"scree:version", SCREE_VERSION},
+         {"scree:scene", scene.name},
+         {"scree:hash", fmt::format("{:016x}", scene.hash)},
+         {"scree:settings", scene.settings}},
+        {{"worldSize", {static_cast<float>(box.size().x), static_cast<float>(box.size().y)}}});
 }
 
 struct BakeFormat {
@@ -51,7 +67,7 @@ struct BakeFormat {
 
 const BakeFormat& format_for(const std::string& output) {
     static const std::vector<BakeFormat> formats{
-        {"json", bake_to_json}, {"svg", bake_to_svg}, {"png", bake_to_png}};
+        {"json", bake_to_json}, {"svg", bake_to_svg}, {"png", bake_to_png}, {"exr", bake_to_exr}};
     const std::string ending = extension(output);
     std::vector<std::string> known;
     for (const BakeFormat& format : formats) {
@@ -97,9 +113,9 @@ void add_bake_command(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("bake", "Run a scene's generators and write their layout.");
     options->scene.add_to(*command);
-    command->add_option("-o,--output", options->output, "File to write: .json, .svg or .png")
+    command->add_option("-o,--output", options->output, "File to write: .json, .svg, .png or .exr")
         ->required();
-    command->add_option("--size", options->size, "Pixels of the longer side of a .png")
+    command->add_option("--size", options->size, "Pixels of the longer side of a .png or .exr")
         ->check(CLI::Range(16, 32768))
         ->type_name("PIXELS");
     command->add_option("--stats", options->stats, "Write counts, times and memory as JSON");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/layout_picture.h"
 
-#include "core/canvas.h"
 #include "core/error.h"
 #include "core/ground_plane.h"
 
@@ -9,20 +8,43 @@
 
 namespace scree {
 
+bool are_textures(std::span<const Aggregate> aggregates) {
+    return std::all_of(aggregates.begin(), aggregates.end(),
+                       [](const Aggregate& a) { return a.texture && a.domain; });
+}
+
+Box2 prototype_box(const Prototype& prototype) {
+    Box2 box;
+    if (prototype.region)
+        box = bounds(*prototype.region);
+    if (prototype.picture)
+        box.extendBy(prototype.picture->box);
+    return box;
+}
+
 Box2 picture_box(std::span<const Aggregate> aggregates) {
     Box2 box;
     for (const Aggregate& aggregate : aggregates) {
         if (aggregate.domain)
             box.extendBy(bounds(*aggregate.domain));
-        if (aggregate.torus)
+        if (aggregate.domain && (aggregate.torus || aggregate.texture))
             continue; // nothing is drawn outside
-        for (const Instance& instance : aggregate.instances)
-            if (const auto& region = aggregate.prototypes[instance.prototype].region; region)
-                box.extendBy(bounds(ground_region(*region, instance.world_from_object)));
+        for (const Instance& instance : aggregate.instances) {
+            const Prototype& prototype = aggregate.prototypes[instance.prototype];
+            if (prototype.region)
+                box.extendBy(bounds(ground_region(*prototype.region, instance.world_from_object)));
+            if (prototype.picture) {
+                const Box2& own = prototype.picture->box;
+                for (const Vec2& corner :
+                     {own.min, own.max, Vec2(own.min.x, own.max.y), Vec2(own.max.x, own.min.y)})
+                    box.extendBy(ground_point(corner, instance.world_from_object));
+            }
+        }
     }
     if (box.isEmpty())
-        throw Error("there is nothing to see from above: no generator has a domain or regions");
-    const double border = std::max(box.size().x, box.size().y) / 50;
+        throw Error("there is nothing to see from above: no generator has a domain, regions or "
+                    "pictures");
+    const double border = are_textures(aggregates) ? 0 : std::max(box.size().x, box.size().y) / 50;
     return {box.min - Vec2(border, border), box.max + Vec2(border, border)};
 }
 
@@ -37,46 +59,23 @@ std::vector<Vec2> picture_shifts(const Aggregate& aggregate) {
     return shifts;
 }
 
-Image layout_image(std::span<const Aggregate> aggregates, const ElementColor& color,
-                   int longest_side) {
-    const Box2 box = picture_box(aggregates);
-    const double scale = longest_side / std::max(box.size().x, box.size().y);
-    const auto pixels = [&](double length) {
-        return std::max(1, static_cast<int>(std::lround(length * scale)));
-    };
-    Canvas canvas(pixels(box.size().x), pixels(box.size().y), Color(1, 1, 1));
-    const auto to_pixels = [&](const Vec2& p) { return (p - box.min) * scale; };
-    const auto outline = [&](const Aggregate& aggregate) {
-        std::vector<Ring> rings;
-        for (const Ring& ring : aggregate.domain->rings)
-            std::transform(ring.begin(), ring.end(), std::back_inserter(rings.emplace_back()),
-                           to_pixels);
-        return rings;
-    };
-    for (const Aggregate& aggregate : aggregates) {
-        if (aggregate.domain)
-            canvas.fill(outline(aggregate), Color(0.955F, 0.95F, 0.94F));
-        if (aggregate.torus && aggregate.domain) {
-            const Box2 domain = bounds(*aggregate.domain);
-            canvas.clip({to_pixels(domain.min), to_pixels(domain.max)});
-        }
-        for (const Vec2& shift : picture_shifts(aggregate))
-            for (const Instance& instance : aggregate.instances) {
-                const auto& region = aggregate.prototypes[instance.prototype].region;
-                if (!region)
-                    continue;
-                Region placed = ground_region(*region, instance.world_from_object);
-                for (Ring& ring : placed.rings)
-                    for (Vec2& p : ring)
-                        p = to_pixels(p + shift);
-                canvas.fill(placed.rings, color(aggregate, instance));
-            }
-        canvas.clip_nothing();
-        if (aggregate.domain)
-            for (const Ring& ring : outline(aggregate))
-                canvas.stroke(ring, 1.5, Color(0.2F, 0.2F, 0.22F), true);
-    }
-    return canvas.image();
+bool is_seen(const Aggregate& aggregate, const Instance& instance, const Vec2& shift) {
+    const Box2 box = prototype_box(aggregate.prototypes[instance.prototype]);
+    if (box.isEmpty())
+        return false;
+    if (!aggregate.domain || !(aggregate.torus || aggregate.texture))
+        return true;
+    const Matrix& m = instance.world_from_object;
+    const double scale = // at least the matrix's norm
+        std::hypot(std::hypot(m[0][0], m[0][2]), std::hypot(m[2][0], m[2][2]));
+    double reach = 0; // from the origin of the prototype
+    for (const Vec2& corner :
+         {box.min, box.max, Vec2(box.min.x, box.max.y), Vec2(box.max.x, box.min.y)})
+        reach = std::max(reach, corner.length() * scale);
+    Box2 domain = bounds(*aggregate.domain);
+    domain.min -= Vec2(reach, reach);
+    domain.max += Vec2(reach, reach);
+    return domain.intersects(Vec2(double(m[3][0]), double(m[3][2])) + shift);
 }
 
 } // namespace scree

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/math.h"
+#include "core/display_encoding.h"
+#include "core/drawing.h"
+#include "formats/base64.h"
 #include "formats/layout_picture.h"
 
 #include <fmt/format.h>
@@ -50,21 +52,55 @@ std::string svg_matrix(const Matrix& m, const Vec2& shift) {
                        (double(m[3][2]) + shift.y) * mm_per_metre);
 }
 
-// Whether a copy on a torus reaches into the domain, judged by its bounding circle.
-bool is_seen(const Aggregate& aggregate, const Instance& instance, const Vec2& shift) {
-    if (!aggregate.torus)
-        return true;
-    const Box2 box = bounds(*aggregate.prototypes[instance.prototype].region);
-    const Matrix& m = instance.world_from_object;
-    const double scale = std::max(std::hypot(m[0][0], m[0][2]), std::hypot(m[2][0], m[2][2]));
-    double reach = 0; // from the origin of the prototype
-    for (const Vec2& corner :
-         {box.min, box.max, Vec2(box.min.x, box.max.y), Vec2(box.max.x, box.min.y)})
-        reach = std::max(reach, corner.length() * scale);
-    Box2 domain = bounds(*aggregate.domain);
-    domain.min -= Vec2(reach, reach);
-    domain.max += Vec2(reach, reach);
-    return domain.intersects(Vec2(double(m[3][0]), double(m[3][2])) + shift);
+// The picture with its box in millimetres: a drawing as it is, pixels as an embedded PNG.
+std::string picture_element(const Picture& picture, const Box2& box, const std::string& prefix,
+                            const std::string& scope) {
+    const Box2 place(box.min * mm_per_metre, box.max * mm_per_metre);
+    if (!picture.drawing.empty())
+        return embedded_drawing(picture.drawing, prefix, scope, place);
+    return fmt::format("<image x=\"{:.9g}\" y=\"{:.9g}\" width=\"{:.9g}\" height=\"{:.9g}\" "
+                       "preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64,{}\"/>",
+                       place.min.x, place.min.y, place.size().x, place.size().y,
+                       base64(png_bytes(display_image(picture.image))));
+}
+
+void write_prototype(std::string& out, const Prototype& prototype, const std::string& id) {
+    auto to = std::back_inserter(out);
+    const std::string name = escaped(prototype.name);
+    if (prototype.picture)
+        // Its origin lies within it, so it is no viewport of its own.
+        fmt::format_to(to,
+                       "<symbol id=\"{0}\" overflow=\"visible\" style=\"overflow:visible\">"
+                       "<title>{1}</title>\n{2}\n</symbol>\n",
+                       id, name,
+                       picture_element(*prototype.picture, prototype.picture->box, id + "-", id));
+    else if (prototype.region)
+        fmt::format_to(to,
+                       "<path id=\"{}\" fill-rule=\"evenodd\" d=\"{}\">"
+                       "<title>{}</title></path>\n",
+                       id, path_data(*prototype.region), name);
+}
+
+void write_background(std::string& out, const Aggregate& aggregate, std::size_t number) {
+    const std::string id = fmt::format("a{}background", number);
+    fmt::format_to(std::back_inserter(out), "<g id=\"{}\">{}</g>\n", id,
+                   picture_element(*aggregate.background, bounds(*aggregate.domain), id + "-", id));
+}
+
+void write_elements(std::string& out, const Aggregate& aggregate, std::size_t number,
+                    const ElementColor& color) {
+    auto to = std::back_inserter(out);
+    for (const Vec2& shift : picture_shifts(aggregate))
+        for (const Instance& instance : aggregate.instances) {
+            if (!is_seen(aggregate, instance, shift))
+                continue;
+            fmt::format_to(to, "<use xlink:href=\"#a{}p{}\" transform=\"{}\"", number,
+                           instance.prototype, svg_matrix(instance.world_from_object, shift));
+            if (aggregate.prototypes[instance.prototype].picture)
+                out += "/>\n";
+            else
+                fmt::format_to(to, " fill=\"{}\"/>\n", hex_color(color(aggregate, instance)));
+        }
 }
 
 void write_aggregate(std::string& out, const Aggregate& aggregate, std::size_t number,
@@ -72,35 +108,31 @@ void write_aggregate(std::string& out, const Aggregate& aggregate, std::size_t n
     auto to = std::back_inserter(out);
     fmt::format_to(to, "<g id=\"aggregate{}\">\n<title>{}</title>\n<defs>\n", number,
                    escaped(aggregate.generator));
-    for (std::size_t p = 0; p < aggregate.prototypes.size(); ++p) {
-        const Prototype& prototype = aggregate.prototypes[p];
-        if (prototype.region)
-            fmt::format_to(to,
-                           "<path id=\"a{}p{}\" fill-rule=\"evenodd\" d=\"{}\">"
-                           "<title>{}</title></path>\n",
-                           number, p, path_data(*prototype.region), escaped(prototype.name));
+    for (std::size_t p = 0; p < aggregate.prototypes.size(); ++p)
+        write_prototype(out, aggregate.prototypes[p], fmt::format("a{}p{}", number, p));
+    const bool clipped = aggregate.domain && (aggregate.torus || aggregate.texture);
+    if (clipped) {
+        const Box2 box = bounds(*aggregate.domain);
+        fmt::format_to(to,
+                       "<clipPath id=\"a{}clip\"><path d=\"M{:.9g},{:.9g}H{:.9g}V{:.9g}H{:.9g}Z\"/>"
+                       "</clipPath>\n",
+                       number, box.min.x * mm_per_metre, box.min.y * mm_per_metre,
+                       box.max.x * mm_per_metre, box.max.y * mm_per_metre,
+                       box.min.x * mm_per_metre);
     }
-    const bool clipped = aggregate.torus && aggregate.domain;
-    if (clipped)
-        fmt::format_to(to, "<clipPath id=\"a{}clip\"><path d=\"{}\"/></clipPath>\n", number,
-                       path_data(*aggregate.domain));
     out += "</defs>\n";
-    const std::string domain = aggregate.domain ? path_data(*aggregate.domain) : "";
-    if (aggregate.domain)
+    const bool outlined = aggregate.domain && !aggregate.texture;
+    const std::string domain = outlined ? path_data(*aggregate.domain) : "";
+    if (outlined)
         fmt::format_to(to,
                        "<path class=\"ground\" fill=\"#f4f2f0\" fill-rule=\"evenodd\" d=\"{}\"/>\n",
                        domain);
+    if (aggregate.background && aggregate.domain)
+        write_background(out, aggregate, number);
     out += clipped ? fmt::format("<g clip-path=\"url(#a{}clip)\">\n", number) : "<g>\n";
-    for (const Vec2& shift : picture_shifts(aggregate))
-        for (const Instance& instance : aggregate.instances)
-            if (aggregate.prototypes[instance.prototype].region &&
-                is_seen(aggregate, instance, shift))
-                fmt::format_to(to, "<use xlink:href=\"#a{}p{}\" transform=\"{}\" fill=\"{}\"/>\n",
-                               number, instance.prototype,
-                               svg_matrix(instance.world_from_object, shift),
-                               hex_color(color(aggregate, instance)));
+    write_elements(out, aggregate, number, color);
     out += "</g>\n";
-    if (aggregate.domain)
+    if (outlined)
         fmt::format_to(to,
                        "<path class=\"domain\" fill=\"none\" stroke=\"#333338\" "
                        "stroke-width=\"1.5\" vector-effect=\"non-scaling-stroke\" d=\"{}\"/>\n",

@@ -209,7 +209,8 @@ TEST_F(Cli, BakeDrawsTheLayoutFromAbove) {
     EXPECT_EQ(image.width, 300);
     EXPECT_EQ(image.height, 300);
     const Outcome outcome = run("bake small.lua -o layout.xyz");
-    EXPECT_EQ(outcome.err, "layout.xyz: cannot bake to .xyz; expected one of .json, .svg, .png\n");
+    EXPECT_EQ(outcome.err,
+              "layout.xyz: cannot bake to .xyz; expected one of .json, .svg, .png, .exr\n");
 }
 
 TEST_F(Cli, AnalyseSaysTheSameOfASceneAndOfItsBakedFile) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Layouts written as JSON, SVG and pictures, and read back.
 #include "core/canvas.h"
+#include "core/display_encoding.h"
 #include "core/error.h"
 #include "core/ground_plane.h"
 #include "formats/bake_json.h"
@@ -172,7 +173,7 @@ TEST(LayoutSvg, ATorusShowsTheCopiesThatReachIn) {
 TEST(LayoutImage, CoversTheAreaOfTheRegions) {
     for (const bool torus : {false, true}) {
         const Aggregate aggregate = two_frames(torus);
-        const Image image = layout_image(std::span(&aggregate, 1), dark, 3000);
+        const Image image = display_image(layout_image(std::span(&aggregate, 1), dark, 3000));
         EXPECT_EQ(image.width, 3000);
         double ink = 0;
         for (int y = 0; y < image.height; ++y)
