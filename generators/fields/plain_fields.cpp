@@ -51,14 +51,20 @@ Range WhirlField::over(const Box2& box) const {
     if (box.intersects(centre_))
         return {0, 360};
     // Seen from outside, a box spans less than half a turn, between two of its corners.
-    const double middle = direction(box.center() - centre_);
+    const Vec2 to_middle = box.center() - centre_;
     double low = 0;
     double high = 0;
     for (const Vec2& corner : corners(box)) {
-        const double turn = shorter_turn(direction(corner - centre_) - middle);
+        const Vec2 to = corner - centre_;
+        const double sine = cross(to_middle, to);
+        const double cosine = to_middle.dot(to);
+        // The tangent of a small angle is larger by less than 3%, and quicker than the angle.
+        const double turn =
+            degrees(std::abs(sine) < 0.3 * cosine ? sine / cosine : std::atan2(sine, cosine));
         low = std::min(low, turn);
         high = std::max(high, turn);
     }
+    const double middle = direction(to_middle);
     const double from = positive_angle(middle + low + turn_);
     return {from, from + (high - low)};
 }

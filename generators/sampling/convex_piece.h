@@ -73,6 +73,12 @@ struct QuadraticForm {
     double between(const Vec2& a, const Vec2& b) const {
         return a.x * b.x * xx + (a.x * b.y + a.y * b.x) * xy + a.y * b.y * yy;
     }
+
+    /// The inverse of the shorter semi-axis of {v: at(v) < 1}: the root of the larger eigenvalue.
+    double steepest() const {
+        const double half = (xx - yy) / 2;
+        return std::sqrt((xx + yy) / 2 + std::sqrt(half * half + xy * xy));
+    }
 };
 
 /// The form of a disk.

@@ -19,8 +19,11 @@ bool cut_away(ConvexPiece& piece, const Vec2& centre, const Form& form, double l
         piece.count = 0;
         return true;
     }
-    // A run of corners inside becomes two crossings: at most one corner more for each run.
-    if (piece.count + (inside + 1) / 2 > ConvexPiece::capacity)
+    int runs = 0; // of corners inside; each becomes two crossings
+    for (int i = 0, last = piece.count - 1; i < piece.count; last = i++)
+        runs +=
+            excess[static_cast<std::size_t>(last)] >= 0 && excess[static_cast<std::size_t>(i)] < 0;
+    if (piece.count - inside + 2 * runs > ConvexPiece::capacity)
         return false;
     // Where the segment from a corner outside to one inside enters the ellipse, and a little
     // beyond, so that rounding never leaves a sliver along an edge that was cut before.

@@ -16,6 +16,8 @@ DiskMetric::DiskMetric(const PoissonDiskProblem& problem)
             const double ratio = distances[i * n + j] / own[i];
             limits_[i * n + j] = i == j ? 1 : ratio * ratio;
         }
+    for (const double limit : limits_)
+        limit_roots_.push_back(std::sqrt(limit));
     longest_ = shortest_ = classes_[0].length;
     for (const DiskClass& c : classes_) {
         longest_ = std::max({longest_, c.length, c.width});
@@ -47,9 +49,12 @@ DiskMetric::Bounds DiskMetric::over(const Box2& box) const {
         bounds.angle = radians((range.low + range.high) / 2);
         bounds.half_range = std::min(radians((range.high - range.low) / 2), pi);
     }
-    if (scale_)
-        bounds.scale = scale_->over(box);
+    bounds.scale = scale_over(box);
     return bounds;
+}
+
+Range DiskMetric::scale_over(const Box2& box) const {
+    return scale_ ? scale_->over(box) : Range{1, 1};
 }
 
 // With u along and v across the middle angle, an ellipse turned by up to h has

@@ -21,6 +21,11 @@ class DiskMetric {
         return limits_[of * class_count() + other];
     }
 
+    /// The root of `limit`: a distance in units of the form's own ellipse.
+    double limit_root(std::uint32_t of, std::uint32_t other) const {
+        return limit_roots_[of * class_count() + other];
+    }
+
     double angle_at(const Vec2& p) const; // [rad] without the sample's own turn
     double scale_at(const Vec2& p) const;
 
@@ -31,6 +36,7 @@ class DiskMetric {
         Range scale{1, 1};
     };
     Bounds over(const Box2& box) const;
+    Range scale_over(const Box2& box) const;
 
     /// A form whose ellipse lies in the ellipses of all samples of the class with a scale of
     /// `bounds.scale.low` or more and an angle within `bounds.half_range` of `bounds.angle`.
@@ -47,6 +53,7 @@ class DiskMetric {
   private:
     std::vector<DiskClass> classes_;
     std::vector<double> limits_;
+    std::vector<double> limit_roots_;
     std::shared_ptr<const Field> direction_;
     std::shared_ptr<const Field> scale_;
     double longest_ = 0;

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/sampling/elliptic_disks.h"
 
-#include "core/error.h"
+#include "core/float4.h"
 #include "core/random.h"
 #include "generators/sampling/disk_metric.h"
 #include "generators/sampling/leaf_cells.h"
 #include "generators/sampling/local_clock.h"
 
 #include <bit>
+#include <cstring>
 
 namespace scree {
 
 namespace {
 
 // Each cell throws darts at times of a Poisson process whose rate is the measure of the places,
-// classes and turns in which it may still succeed: parts, convex pieces of the domain for one class
-// and a range of turns, which shrink with each miss to what the samples near may leave uncovered.
+// classes and turns in which it may still succeed: at first the whole cell for each class; after a
+// miss parts, convex pieces for one class and a range of turns, which shrink with each further miss
+// to what the samples near may leave uncovered.
 class Cells {
   public:
     Cells(const PoissonDiskProblem& problem);
@@ -36,41 +38,59 @@ class Cells {
         double measure = 0; // the rate of its darts
         std::uint32_t disk_class = 0;
         Range turn;
+        DiskMetric::Bounds bounds; // over the piece or a box around it, without turn
         std::int32_t next = nothing;
     };
     struct Placed {
         DiskSample sample;
         QuadraticForm form;
-        double reach = 0; // longest semi-axis [m]
+        double reach = 0;    // longest semi-axis [m]
+        double steepest = 0; // inverse of the shortest [1/m]
         std::int32_t next = nothing;
     };
+    struct Near {
+        Vec2 position; // of the image beside the cell at hand
+        std::uint32_t placed = 0;
+    };
 
+    void start(std::uint32_t c);
+    Part part_of(const ConvexPiece& piece, std::uint32_t disk_class) const;
     double rate(const Part& part) const;
     void add_kept(const DiskSample& sample);
-    void place(std::uint32_t c, const DiskSample& sample);
+    void place(std::uint32_t c, const DiskSample& sample, const QuadraticForm& form);
+    void end_covered(std::uint32_t c, float now);
+    void end_whole(std::uint32_t c, std::uint32_t ended, float now);
     void gather_near(std::uint32_t c);
     bool is_free(const DiskSample& sample, const QuadraticForm& form) const;
+    QuadraticForm own_form(const Part& part) const;
     bool cut(Part& part) const;
     void keep_uncovered(std::uint32_t c, const Part& part);
     bool is_unresolved(const Part& part) const;
     std::array<Part, 2> split(const Part& part) const;
+    Part take_chosen(std::uint32_t c, double chosen);
     void add_part(std::uint32_t c, const Part& part);
     Part take_part(std::uint32_t c, double chosen);
+    void cut_parts(std::uint32_t c);
+    double measure_whole(std::uint32_t c) const;
     double measure_left(std::uint32_t c) const;
+    void set_time(std::uint32_t c, float time, double exponential);
 
     DiskMetric metric_;
     LeafCells leaves_;
     std::uint64_t seed_;
-    double doubt_; // share by which limits are widened for conflicts and narrowed for covers
-    double unit_;  // area of the least distance: rates are per that [m^2]
+    double doubt_;   // share by which limits are widened for conflicts and narrowed for covers
+    bool symmetric_; // whether a conflicts with b just where b's ellipse holds a: all are disks
+    std::vector<double> density_;         // rate per area of each class
+    std::vector<QuadraticForm> constant_; // form of each class where it is the same everywhere
     std::vector<float> time_;
+    std::vector<std::uint32_t> whole_; // a bit for each class of which nothing is known yet
     std::vector<std::int32_t> part_of_;
     std::vector<Part> parts_; // of all cells, as lists
     std::int32_t unused_ = nothing;
     std::vector<std::int32_t> sample_of_;
     std::vector<Placed> placed_;
-    std::size_t kept_ = 0;     // of placed_, the first
-    std::vector<Placed> near_; // of the cell at hand, moved to the image beside it
+    std::size_t kept_ = 0;   // of placed_, the first
+    std::vector<Near> near_; // of the cell at hand
     std::uint64_t trials_ = 0;
     std::uint64_t unresolved_ = 0;
 };
@@ -81,62 +101,147 @@ Cells::Cells(const PoissonDiskProblem& problem)
     const double largest = std::max({std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x),
                                      std::abs(box.max.y), metric_.longest()});
     doubt_ = 0x1p-46 * largest / metric_.shortest();
-    unit_ = metric_.least_distance() * metric_.least_distance();
+    symmetric_ = !problem.scale;
+    for (std::uint32_t k = 0; k < metric_.class_count(); ++k) {
+        const DiskClass& c = metric_.at(k);
+        symmetric_ = symmetric_ && metric_.is_round(k);
+        density_.push_back(1 / (c.length * c.width));
+        if (!problem.direction && !problem.scale && c.turn.low == c.turn.high)
+            constant_.push_back(metric_.form(k, c.turn.low, 1));
+    }
+    if (constant_.size() < metric_.class_count())
+        constant_.clear();
     const std::uint32_t n = leaves_.count();
     time_.assign(n, never);
+    whole_.assign(n, 0);
     part_of_.assign(n, nothing);
     sample_of_.assign(n, nothing);
     for (const DiskSample& sample : problem.kept)
         add_kept(sample);
     kept_ = placed_.size();
-    for (std::uint32_t c = 0; c < n; ++c) {
-        for (const ConvexPiece& piece : leaves_.pieces(c))
-            for (std::uint32_t k = 0; k < metric_.class_count(); ++k) {
-                Part part;
-                part.piece = piece;
-                part.area = area(piece);
-                part.disk_class = k;
-                part.turn = metric_.at(k).turn;
-                part.measure = rate(part);
-                add_part(c, part);
-            }
-        if (const double measure = measure_left(c); measure > 0)
-            time_[c] = after(0, Random(seed_, Purpose::disk_start, c).exponential() / measure);
-    }
+    for (std::uint32_t c = 0; c < n; ++c)
+        start(c);
     leaves_.forget_pieces();
+}
+
+void Cells::start(std::uint32_t c) {
+    const auto classes = static_cast<std::uint32_t>(metric_.class_count());
+    const bool is_whole = leaves_.is_whole(c);
+    if (is_whole)
+        whole_[c] = classes < 32 ? (1U << classes) - 1 : ~0U;
+    for (std::uint32_t k = is_whole ? 32 : 0; k < classes; ++k) {
+        if (is_whole)
+            add_part(c, part_of(leaves_.square(c), k));
+        for (const ConvexPiece& piece : leaves_.pieces(c))
+            add_part(c, part_of(piece, k));
+    }
+    if (whole_[c] == 0 && part_of_[c] == nothing)
+        return;
+    set_time(c, 0, Random(seed_, Purpose::disk_start, c).exponential());
+}
+
+void Cells::set_time(std::uint32_t c, float time, double exponential) {
+    const double left = measure_left(c);
+    time_[c] = left > 0 ? after(time, exponential / left) : never;
+}
+
+Cells::Part Cells::part_of(const ConvexPiece& piece, std::uint32_t disk_class) const {
+    Part part;
+    part.piece = piece;
+    part.area = area(piece);
+    part.disk_class = disk_class;
+    part.turn = metric_.at(disk_class).turn;
+    if (constant_.empty())
+        part.bounds = metric_.over(bounds(piece));
+    part.measure = rate(part);
+    return part;
 }
 
 // Classes get darts in proportion to how many samples they should have.
 double Cells::rate(const Part& part) const {
-    const DiskClass& c = metric_.at(part.disk_class);
-    const double whole = c.turn.high - c.turn.low;
+    const Range& turn = metric_.at(part.disk_class).turn;
+    const double whole = turn.high - turn.low;
     const double share = whole > 0 ? (part.turn.high - part.turn.low) / whole : 1;
-    return part.area * share / (c.length * c.width);
+    return part.area * share * density_[part.disk_class];
 }
 
 void Cells::add_kept(const DiskSample& sample) {
     if (const auto c = leaves_.leaf_at(sample.position))
-        place(*c, sample);
+        place(*c, sample, metric_.form(sample.disk_class, sample.angle, sample.scale));
 }
 
-void Cells::place(std::uint32_t c, const DiskSample& sample) {
+void Cells::place(std::uint32_t c, const DiskSample& sample, const QuadraticForm& form) {
     const DiskClass& k = metric_.at(sample.disk_class);
-    placed_.push_back({sample, metric_.form(sample.disk_class, sample.angle, sample.scale),
-                       std::max(k.length, k.width) * sample.scale, sample_of_[c]});
+    placed_.push_back({sample, form, std::max(k.length, k.width) * sample.scale,
+                       1 / (std::min(k.length, k.width) * sample.scale), sample_of_[c]});
     sample_of_[c] = static_cast<std::int32_t>(placed_.size()) - 1;
+}
+
+// Ends classes in the cells near that the sample covers whole: most will never throw a dart.
+// What is left waits as much longer as its measure is smaller: waits have no memory.
+void Cells::end_covered(std::uint32_t c, float now) {
+    const Placed& placed = placed_.back();
+    const std::uint32_t o = placed.sample.disk_class;
+    leaves_.for_runs_near(c, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t i = first; i < last; ++i) {
+            if (whole_[i] == 0)
+                continue;
+            const Box2 box = leaves_.box(i);
+            const Vec2 half = box.size() / 2;
+            const Vec2 to = leaves_.nearest_image(box.center() - placed.sample.position);
+            if (to.length2() > placed.reach * placed.reach)
+                continue;
+            const double farthest =
+                std::max(std::max(placed.form.at(to + half), placed.form.at(to - half)),
+                         std::max(placed.form.at({to.x + half.x, to.y - half.y}),
+                                  placed.form.at({to.x - half.x, to.y + half.y})));
+            std::uint32_t ended = 0;
+            for (std::uint32_t bits = whole_[i]; bits != 0; bits &= bits - 1) {
+                const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
+                if (farthest < metric_.limit(o, k) * (1 - doubt_))
+                    ended |= 1U << k;
+            }
+            if (ended == 0 || i == c)
+                whole_[i] &= ~ended;
+            else
+                end_whole(i, ended, now);
+        }
+    });
+}
+
+void Cells::end_whole(std::uint32_t c, std::uint32_t ended, float now) {
+    if (whole_[c] == ended && part_of_[c] == nothing) {
+        whole_[c] = 0;
+        time_[c] = never;
+        return;
+    }
+    const double before = measure_left(c);
+    whole_[c] &= ~ended;
+    time_[c] = after(now, (double(time_[c]) - double(now)) * before / measure_left(c));
 }
 
 std::uint32_t Cells::earliest_near(std::uint32_t c) const {
     float least = time_[c];
-    std::uint32_t earliest = c;
+    std::uint32_t run = c;
     leaves_.for_runs_near(c, [&](std::uint32_t first, std::uint32_t last) {
-        for (std::uint32_t i = first; i < last; ++i)
-            if (time_[i] < least) {
-                least = time_[i];
-                earliest = i;
-            }
+        Float4 four{never, never, never, never};
+        std::uint32_t i = first;
+        for (; i + 4 <= last; i += 4) {
+            Float4 next;
+            std::memcpy(&next, &time_[i], sizeof next);
+            four = minimum(four, next);
+        }
+        float least_of = std::min(std::min(four[0], four[1]), std::min(four[2], four[3]));
+        for (; i < last; ++i)
+            least_of = std::min(least_of, time_[i]);
+        if (least_of < least) {
+            least = least_of;
+            run = first;
+        }
     });
-    return earliest;
+    while (time_[run] != least)
+        ++run;
+    return run;
 }
 
 void Cells::gather_near(std::uint32_t c) {
@@ -152,46 +257,78 @@ void Cells::gather_near(std::uint32_t c) {
                 const double far = std::max(placed.reach, own_reach) + half;
                 if (offset.length2() > far * far)
                     continue;
-                near_.push_back(placed);
-                near_.back().sample.position = middle + offset;
+                near_.push_back({middle + offset, static_cast<std::uint32_t>(s)});
             }
     });
 }
 
 bool Cells::is_free(const DiskSample& sample, const QuadraticForm& form) const {
     const std::uint32_t k = sample.disk_class;
-    for (const Placed& other : near_) {
-        const Vec2 d = other.sample.position - sample.position;
+    for (const Near& near : near_) {
+        const Vec2 d = near.position - sample.position;
+        const Placed& other = placed_[near.placed];
         const std::uint32_t o = other.sample.disk_class;
         if (other.form.at(d) < metric_.limit(o, k) * (1 + doubt_) ||
-            form.at(d) < metric_.limit(k, o) * (1 + doubt_))
+            (!symmetric_ && form.at(d) < metric_.limit(k, o) * (1 + doubt_)))
             return false;
     }
     return true;
+}
+
+// Of what all samples in the part would keep away.
+QuadraticForm Cells::own_form(const Part& part) const {
+    if (!constant_.empty())
+        return constant_[part.disk_class];
+    DiskMetric::Bounds all = part.bounds;
+    if (metric_.is_round(part.disk_class)) {
+        all.half_range = 0;
+    } else {
+        all.angle += (part.turn.low + part.turn.high) / 2;
+        all.half_range += (part.turn.high - part.turn.low) / 2;
+    }
+    return metric_.common_form(part.disk_class, all);
 }
 
 // Takes from the part what the samples near cover, and what would cover a sample near. Whether
 // anything is left.
 bool Cells::cut(Part& part) const {
     const std::uint32_t k = part.disk_class;
-    DiskMetric::Bounds bounds_of = metric_.over(bounds(part.piece));
-    if (!metric_.is_round(k)) {
-        bounds_of.angle += (part.turn.low + part.turn.high) / 2;
-        bounds_of.half_range += (part.turn.high - part.turn.low) / 2;
-    }
-    const QuadraticForm own = metric_.common_form(k, bounds_of);
-    const DiskClass& own_class = metric_.at(k);
-    const double own_reach = std::max(own_class.length, own_class.width) * bounds_of.scale.low;
+    const QuadraticForm own = own_form(part);
+    const double own_steepest = symmetric_ ? 0 : own.steepest();
     const BoundingCircle circle = bounding_circle(part.piece);
-    for (const Placed& other : near_) {
-        const double far = std::max(other.reach, own_reach) + circle.radius;
-        if ((other.sample.position - circle.centre).length2() > far * far)
-            continue;
-        const std::uint32_t o = other.sample.disk_class;
-        cut_away(part.piece, other.sample.position, other.form, metric_.limit(o, k) * (1 - doubt_));
-        if (part.piece.count < 3)
+    // The ellipses whose borders may cross the piece; first all are asked whether one covers it.
+    struct Crossing {
+        Vec2 centre;
+        const QuadraticForm* form;
+        double limit;
+    };
+    std::array<Crossing, 64> crossings;
+    std::size_t count = 0;
+    const auto covers = [&](const Vec2& centre, const QuadraticForm& form, double steepest,
+                            double limit, double root) {
+        // The form's root changes by no more than this from the circle's middle to its border.
+        const double change = circle.radius * steepest;
+        const double here = form.at(centre - circle.centre);
+        if (here > (root + change) * (root + change))
             return false;
-        cut_away(part.piece, other.sample.position, own, metric_.limit(k, o) * (1 - doubt_));
+        const double within = root * (1 - doubt_) - change;
+        if (within > 0 && here < within * within)
+            return true;
+        if (count < crossings.size())
+            crossings[count++] = {centre, &form, limit * (1 - doubt_)};
+        return false;
+    };
+    for (const Near& near : near_) {
+        const Placed& other = placed_[near.placed];
+        const std::uint32_t o = other.sample.disk_class;
+        if (covers(near.position, other.form, other.steepest, metric_.limit(o, k),
+                   metric_.limit_root(o, k)) ||
+            (!symmetric_ && covers(near.position, own, own_steepest, metric_.limit(k, o),
+                                   metric_.limit_root(k, o))))
+            return false;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        cut_away(part.piece, crossings[i].centre, *crossings[i].form, crossings[i].limit);
         if (part.piece.count < 3)
             return false;
     }
@@ -202,9 +339,9 @@ bool Cells::cut(Part& part) const {
 
 // Too small to say more; or so small that a jump of the fields in it will not go away.
 bool Cells::is_unresolved(const Part& part) const {
-    const Box2 box = bounds(part.piece);
-    const double extent = std::max(box.size().x, box.size().y);
-    const DiskMetric::Bounds all = metric_.over(box);
+    const Vec2 size = bounds(part.piece).size();
+    const double extent = std::max(size.x, size.y);
+    const DiskMetric::Bounds& all = part.bounds;
     const DiskClass& c = metric_.at(part.disk_class);
     const double width = std::min(c.length, c.width) * all.scale.low;
     const double turn = metric_.is_round(part.disk_class) ? 0 : part.turn.high - part.turn.low;
@@ -240,9 +377,14 @@ void Cells::keep_uncovered(std::uint32_t c, const Part& part) {
     } else if (left.measure < part.measure / 2) {
         add_part(c, left);
     } else {
-        for (Part& half : split(left))
-            if (half.piece.count >= 3 && cut(half))
+        for (Part& half : split(left)) {
+            if (half.piece.count < 3)
+                continue;
+            if (constant_.empty())
+                half.bounds = metric_.over(bounds(half.piece));
+            if (cut(half))
                 add_part(c, half);
+        }
     }
 }
 
@@ -275,11 +417,52 @@ Cells::Part Cells::take_part(std::uint32_t c, double chosen) {
     return taken;
 }
 
+double Cells::measure_whole(std::uint32_t c) const {
+    double density = 0;
+    for (std::uint32_t bits = whole_[c]; bits != 0; bits &= bits - 1)
+        density += density_[static_cast<std::size_t>(std::countr_zero(bits))];
+    const Vec2 size = leaves_.size(c);
+    return size.x * size.y * density;
+}
+
 double Cells::measure_left(std::uint32_t c) const {
-    double sum = 0;
+    double sum = measure_whole(c);
     for (std::int32_t i = part_of_[c]; i != nothing; i = parts_[std::size_t(i)].next)
         sum += parts_[std::size_t(i)].measure;
     return sum;
+}
+
+// Where a number in [0, measure_left) falls, taken from what the cell has left.
+Cells::Part Cells::take_chosen(std::uint32_t c, double chosen) {
+    const double whole = measure_whole(c);
+    if (part_of_[c] != nothing && chosen >= whole) {
+        return take_part(c, chosen - whole);
+    }
+    const Vec2 size = leaves_.size(c);
+    std::uint32_t k = 0;
+    for (std::uint32_t bits = whole_[c]; bits != 0; bits &= bits - 1) {
+        k = static_cast<std::uint32_t>(std::countr_zero(bits));
+        const double measure = size.x * size.y * density_[k];
+        if (chosen < measure)
+            break;
+        chosen -= measure;
+    }
+    whole_[c] &= ~(1U << k);
+    return part_of(leaves_.square(c), k);
+}
+
+// What a new sample leaves of the cell's parts.
+void Cells::cut_parts(std::uint32_t c) {
+    std::int32_t i = part_of_[c];
+    part_of_[c] = nothing;
+    while (i != nothing) {
+        Part part = parts_[std::size_t(i)];
+        parts_[std::size_t(i)].next = unused_;
+        unused_ = i;
+        i = part.next;
+        if (cut(part))
+            add_part(c, part);
+    }
 }
 
 void Cells::happen(std::uint32_t c) {
@@ -287,35 +470,30 @@ void Cells::happen(std::uint32_t c) {
     const float time = time_[c];
     Random random(seed_, Purpose::disk_dart,
                   std::uint64_t{c} << 32 | std::bit_cast<std::uint32_t>(time));
-    const Part part = take_part(c, random.uniform() * measure_left(c));
-    const double u = random.uniform();
-    const double v = random.uniform();
+    const auto uniform = [&] { return random.bits() * 0x1p-32; };
+    const Part part = take_chosen(c, uniform() * measure_left(c));
+    const double u = uniform();
+    const double v = uniform();
+    const double exponential = random.exponential();
     DiskSample sample;
     sample.position = point_in(part.piece, part.area, u, v);
     sample.disk_class = part.disk_class;
-    sample.angle =
-        metric_.angle_at(sample.position) + random.uniform(part.turn.low, part.turn.high);
+    sample.angle = metric_.angle_at(sample.position) + part.turn.low;
+    if (part.turn.high > part.turn.low)
+        sample.angle += (part.turn.high - part.turn.low) * uniform();
     sample.scale = metric_.scale_at(sample.position);
+    const QuadraticForm form = constant_.empty()
+                                   ? metric_.form(sample.disk_class, sample.angle, sample.scale)
+                                   : constant_[sample.disk_class];
     gather_near(c);
-    const QuadraticForm form = metric_.form(sample.disk_class, sample.angle, sample.scale);
     if (is_free(sample, form)) {
-        place(c, sample);
-        near_.push_back(placed_.back());
-        // The new sample covers most of what the cell has left.
-        std::int32_t i = part_of_[c];
-        part_of_[c] = nothing;
-        while (i != nothing) {
-            Part other = parts_[std::size_t(i)];
-            parts_[std::size_t(i)].next = unused_;
-            unused_ = i;
-            i = other.next;
-            if (cut(other))
-                add_part(c, other);
-        }
+        place(c, sample, form);
+        end_covered(c, time);
+        near_.push_back({sample.position, static_cast<std::uint32_t>(placed_.size()) - 1});
+        cut_parts(c);
     }
     keep_uncovered(c, part);
-    const double left = measure_left(c);
-    time_[c] = left > 0 ? after(time, random.exponential() / left) : never;
+    set_time(c, time, exponential);
 }
 
 PoissonDiskSet Cells::result() const {

@@ -25,7 +25,7 @@ class Cells {
     Cells(const Region& domain, bool torus, double distance, std::uint64_t seed);
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(time_.size()); }
-    float time(std::uint32_t c) const { return left_of_[c] == image ? never : time_[c]; }
+    float time(std::uint32_t c) const { return left_of_[c] == mirrored ? never : time_[c]; }
     std::uint32_t earliest_near(std::uint32_t c) const;
     void happen(std::uint32_t c);
 
@@ -35,7 +35,7 @@ class Cells {
     static constexpr int reach = 2; // cells: a distance is less than the sides of three
     static constexpr std::int32_t nothing = -1;
     static constexpr std::int32_t whole = -2;
-    static constexpr std::int32_t image = -3; // of a cell across the torus
+    static constexpr std::int32_t mirrored = -3; // of a cell across the torus
 
     struct Left {
         ConvexPiece piece;
@@ -127,7 +127,7 @@ Cells::Cells(const Region& domain, bool torus, double distance, std::uint64_t se
     time_.assign(all, never);
     spot_.resize(all);
     has_sample_.assign(all / 8 + 9, 0); // a word may be read from any byte
-    left_of_.assign(all, torus ? image : nothing);
+    left_of_.assign(all, torus ? mirrored : nothing);
     if (torus) {
         at_rim_.assign(all, true);
         for (int row = reach; row < grid_.rows - reach; ++row)
@@ -259,7 +259,7 @@ bool Cells::is_free(const Vec2& p, Near& near) const {
 }
 
 void Cells::set_time(std::uint32_t c, float time) {
-    for_images(c, [&](std::uint32_t image) { time_[image] = time; });
+    for_images(c, [&](std::uint32_t i) { time_[i] = time; });
 }
 
 // Also ends the cells beside it that the sample covers whole, most of those that will hold none.

@@ -21,7 +21,7 @@ void keep_box(ConvexPiece& piece, const Box2& box) {
     keep_left(piece, box.max, {0, 1});
 }
 
-ConvexPiece square(const Vec2& corner, const Vec2& size) {
+ConvexPiece square_at(const Vec2& corner, const Vec2& size) {
     ConvexPiece piece;
     for (const Vec2& at : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})
         piece.add(corner + at * size);
@@ -39,18 +39,20 @@ LeafCells::LeafCells(const PoissonDiskProblem& problem, const DiskMetric& metric
             const std::size_t root =
                 std::size_t(row) * std::size_t(grid_.columns) + std::size_t(column);
             first_leaf_.push_back(count());
-            const Leaf leaf{.corner = grid_.corner(column, row)};
+            Leaf leaf{.corner = grid_.corner(column, row)};
+            leaf.is_whole = torus_ || domain.kind(root) == DomainCells::Kind::inside;
             std::vector<ConvexPiece> pieces;
-            if (torus_ || domain.kind(root) == DomainCells::Kind::inside)
-                pieces.push_back(square(leaf.corner, grid_.cell));
-            for (ConvexPiece piece : domain.parts(root)) {
-                if (torus_)
-                    break;
-                for (int i = 0; i < piece.count; ++i)
-                    piece.corner[std::size_t(i)] += leaf.corner;
-                pieces.push_back(piece);
-            }
-            if (problem.window) {
+            if (domain.kind(root) == DomainCells::Kind::border && !torus_)
+                for (ConvexPiece piece : domain.parts(root)) {
+                    for (int i = 0; i < piece.count; ++i)
+                        piece.corner[std::size_t(i)] += leaf.corner;
+                    pieces.push_back(piece);
+                }
+            if (problem.window && !(problem.window->intersects(leaf.corner) &&
+                                    problem.window->intersects(leaf.corner + grid_.cell))) {
+                if (leaf.is_whole)
+                    pieces.push_back(square_at(leaf.corner, grid_.cell));
+                leaf.is_whole = false;
                 for (ConvexPiece& piece : pieces)
                     keep_box(piece, *problem.window);
                 std::erase_if(pieces, [](const ConvexPiece& piece) { return piece.count < 3; });
@@ -59,14 +61,14 @@ LeafCells::LeafCells(const PoissonDiskProblem& problem, const DiskMetric& metric
         }
     first_leaf_.push_back(count());
     first_piece_.push_back(static_cast<std::uint32_t>(pieces_.size()));
-    set_distances(metric);
+    set_neighbours();
 }
 
 // Roots are as large as the largest disks' cells; around what is to be filled there are as many as
 // may hold samples that matter.
 void LeafCells::make_grid(const PoissonDiskProblem& problem, const DiskMetric& metric) {
     Box2 box = bounds(*problem.domain);
-    const double largest = metric.over(box).scale.high;
+    const double largest = metric.scale_over(box).high;
     const double side = side_for(metric.least_distance() * largest);
     const double reach = metric.longest() * largest;
     if (!torus_) {
@@ -104,15 +106,17 @@ void LeafCells::add_leaves(const Leaf& leaf, std::vector<ConvexPiece> pieces,
                            const DiskMetric& metric) {
     const Vec2 size = grid_.cell * double(leaf.share);
     const Box2 all(leaf.corner, leaf.corner + size);
-    const Range scale = metric.over(all).scale;
+    const Range scale = metric.scale_over(all);
     const double wanted = side_for(metric.least_distance() * scale.low);
     // No deeper than the scale's jumps make sense.
-    if (!pieces.empty() && std::max(size.x, size.y) > 1.5 * wanted && leaf.share > 0x1p-12F) {
+    const bool is_empty = !leaf.is_whole && pieces.empty();
+    if (!is_empty && std::max(size.x, size.y) > 1.5 * wanted && leaf.share > 0x1p-12F) {
         const Vec2 half = size / 2;
         for (int quarter = 0; quarter < 4; ++quarter) {
             const Leaf child{.corner = leaf.corner + Vec2(quarter % 2, quarter / 2) * half,
-                             .share = leaf.share / 2};
-            std::vector<ConvexPiece> parts;
+                             .share = leaf.share / 2,
+                             .is_whole = leaf.is_whole};
+            std::vector<ConvexPiece> parts; // none of a whole cell
             for (ConvexPiece piece : pieces) {
                 keep_box(piece, {child.corner, child.corner + half});
                 if (piece.count >= 3)
@@ -131,7 +135,7 @@ void LeafCells::add_leaves(const Leaf& leaf, std::vector<ConvexPiece> pieces,
 }
 
 // A cell matters to another when samples of either reach the other.
-void LeafCells::set_distances(const DiskMetric&) {
+void LeafCells::set_neighbours() {
     const std::size_t roots = first_leaf_.size() - 1;
     std::vector<float> reach(roots, 0), farthest(roots, 0);
     for (std::size_t r = 0; r < roots; ++r)
@@ -160,11 +164,34 @@ void LeafCells::set_distances(const DiskMetric&) {
         }
     for (std::size_t r = 0; r < roots; ++r)
         for (std::uint32_t leaf = first_leaf_[r]; leaf < first_leaf_[r + 1]; ++leaf)
-            leaves_[leaf].distance = even ? overall : std::max(leaves_[leaf].reach, farthest[r]);
+            set_neighbours(leaves_[leaf],
+                           double(even ? overall : std::max(leaves_[leaf].reach, farthest[r])));
+}
+
+void LeafCells::set_neighbours(Leaf& leaf, double distance) const {
+    const Vec2 around(distance, distance);
+    const Vec2 low = (leaf.corner - grid_.origin - around) / grid_.cell;
+    const Vec2 high =
+        (leaf.corner - grid_.origin + grid_.cell * double(leaf.share) + around) / grid_.cell;
+    const auto whole = [](double v) { return static_cast<int>(std::floor(v)); };
+    leaf.first_column = whole(low.x);
+    leaf.last_column = whole(high.x);
+    leaf.first_row = whole(low.y);
+    leaf.last_row = whole(high.y);
+    if (torus_)
+        return;
+    leaf.first_column = std::max(leaf.first_column, 0);
+    leaf.first_row = std::max(leaf.first_row, 0);
+    leaf.last_column = std::min(leaf.last_column, grid_.columns - 1);
+    leaf.last_row = std::min(leaf.last_row, grid_.rows - 1);
 }
 
 std::span<const ConvexPiece> LeafCells::pieces(std::uint32_t leaf) const {
     return {pieces_.data() + first_piece_[leaf], first_piece_[leaf + 1] - first_piece_[leaf]};
+}
+
+ConvexPiece LeafCells::square(std::uint32_t leaf) const {
+    return square_at(leaves_[leaf].corner, size(leaf));
 }
 
 std::optional<std::uint32_t> LeafCells::leaf_at(const Vec2& point) const {

@@ -19,13 +19,20 @@ class LeafCells {
     std::uint32_t count() const { return static_cast<std::uint32_t>(leaves_.size()); }
     Box2 box(std::uint32_t leaf) const {
         const Leaf& l = leaves_[leaf];
-        return {l.corner, l.corner + grid_.cell * double(l.share)};
+        return {l.corner, l.corner + size(leaf)};
     }
+
+    Vec2 size(std::uint32_t leaf) const { return grid_.cell * double(leaves_[leaf].share); }
+
+    ConvexPiece square(std::uint32_t leaf) const;
+
+    /// Whether new samples are looked for in all of the cell.
+    bool is_whole(std::uint32_t leaf) const { return leaves_[leaf].is_whole; }
 
     /// The longest semi-axis of samples in the cell [m].
     double reach(std::uint32_t leaf) const { return double(leaves_[leaf].reach); }
 
-    /// The parts of the cell in which new samples are looked for.
+    /// The parts of a cell that is not whole in which new samples are looked for.
     std::span<const ConvexPiece> pieces(std::uint32_t leaf) const;
     void forget_pieces() { pieces_ = {}; }
 
@@ -36,13 +43,7 @@ class LeafCells {
     template <class Visit>
     void for_runs_near(std::uint32_t leaf, const Visit& visit) const {
         const Leaf& l = leaves_[leaf];
-        const double distance = double(l.distance);
-        const Vec2 low = (l.corner - grid_.origin - Vec2(distance, distance)) / grid_.cell;
-        const Vec2 high =
-            (l.corner - grid_.origin + grid_.cell * double(l.share) + Vec2(distance, distance)) /
-            grid_.cell;
-        for_runs(static_cast<int>(std::floor(low.x)), static_cast<int>(std::floor(high.x)),
-                 static_cast<int>(std::floor(low.y)), static_cast<int>(std::floor(high.y)), visit);
+        for_runs(l.first_column, l.last_column, l.first_row, l.last_row, visit);
     }
 
     /// The shortest of a vector's images on a torus.
@@ -56,9 +57,13 @@ class LeafCells {
   private:
     struct Leaf {
         Vec2 corner;
-        float share = 1;    // of its root's sides
-        float reach = 0;    // [m]
-        float distance = 0; // within which cells may matter [m]
+        float share = 1;      // of its root's sides
+        float reach = 0;      // [m]
+        int first_column = 0; // of the roots within which cells may matter; beyond the grid's
+        int last_column = 0;  // ends on a torus
+        int first_row = 0;
+        int last_row = 0;
+        bool is_whole = false;
     };
 
     template <class Visit>
@@ -68,9 +73,7 @@ class LeafCells {
             visit(first_leaf_[at + std::size_t(from)], first_leaf_[at + std::size_t(to) + 1]);
         };
         if (!torus_) {
-            c0 = std::max(c0, 0);
-            c1 = std::min(c1, grid_.columns - 1);
-            for (int row = std::max(r0, 0); row <= std::min(r1, grid_.rows - 1); ++row)
+            for (int row = r0; row <= r1; ++row)
                 run(row, c0, c1);
             return;
         }
@@ -92,7 +95,8 @@ class LeafCells {
 
     void make_grid(const PoissonDiskProblem& problem, const DiskMetric& metric);
     void add_leaves(const Leaf& leaf, std::vector<ConvexPiece> pieces, const DiskMetric& metric);
-    void set_distances(const DiskMetric& metric);
+    void set_neighbours();
+    void set_neighbours(Leaf& leaf, double distance) const;
 
     CellGrid grid_;
     bool torus_;

@@ -16,7 +16,7 @@ namespace {
 void check_torus(const PoissonDiskProblem& problem) {
     const DiskMetric metric(problem);
     const Box2 box = bounds(*problem.domain);
-    const double least = 4 * metric.longest() * metric.over(box).scale.high;
+    const double least = 4 * metric.longest() * metric.scale_over(box).high;
     const Vec2 size = box.size();
     if (std::min(size.x, size.y) < least)
         throw Error(fmt::format("the domain is {:.4g} m wide; with these distances it must be "

@@ -52,9 +52,10 @@ struct PoissonDiskSet {
 };
 
 /// A maximal set: no two samples conflict, and no sample of any class could be added, except in
-/// `unresolved` places, each smaller than 1e-9 of the least axis. Up to rounding it is distributed
-/// as if darts had been thrown one by one, uniformly over the domain and classes, for ever (random
-/// sequential adsorption). Throws Cancelled, and Error for a torus that is narrower than four times
+/// `unresolved` places, each narrower than 1e-9 of the ellipse there, or than 1e-3 where a field
+/// jumps. Up to rounding it is distributed as if darts had been thrown one by one for ever (random
+/// sequential adsorption), uniformly over the domain and on each class in inverse proportion to its
+/// ellipse. Throws Cancelled, and Error for a torus that is narrower than four times
 /// the longest reach.
 PoissonDiskSet sample_poisson_disks(const PoissonDiskProblem& problem, const Context& context);
 
