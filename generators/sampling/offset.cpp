@@ -58,10 +58,25 @@ std::vector<PolygonWithHoles> parts_of(const std::vector<Ring>& rings) {
     return parts;
 }
 
+/// The part without those holes that the disk cannot enter, which the sum fills. CGAL (5.5 to 6.0)
+/// drops them itself, but where there are several it reads freed memory: Hole_filter_2 keeps
+/// iterators into the deque that it erases from.
+PolygonWithHoles without_small_holes(const PolygonWithHoles& part, const Polygon& disk_polygon) {
+    const CGAL::Bbox_2 least = disk_polygon.bbox();
+    PolygonWithHoles kept(part.outer_boundary());
+    for (auto hole = part.holes_begin(); hole != part.holes_end(); ++hole) {
+        const CGAL::Bbox_2 box = hole->bbox();
+        if (box.xmax() - box.xmin() >= least.xmax() - least.xmin() &&
+            box.ymax() - box.ymin() >= least.ymax() - least.ymin())
+            kept.add_hole(*hole);
+    }
+    return kept;
+}
+
 PolygonSet grow(const std::vector<PolygonWithHoles>& parts, const Polygon& disk_polygon) {
     PolygonSet set;
     for (const PolygonWithHoles& part : parts)
-        set.join(CGAL::minkowski_sum_2(part, disk_polygon));
+        set.join(CGAL::minkowski_sum_2(without_small_holes(part, disk_polygon), disk_polygon));
     return set;
 }
 

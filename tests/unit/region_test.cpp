@@ -139,6 +139,17 @@ TEST(Offset, ShrinksByTheMarginWithinItsBound) {
 TEST(Offset, GrowingClosesAHoleAndShrinkingParts) {
     const Region ring = triangulate({circle_ring(1, 40), circle_ring(0.1, 20)});
     EXPECT_EQ(offset(ring, 0.12).rings.size(), 1U);
+    // Several at once, large and small; the same as parts that vanish.
+    std::vector<Ring> rings{rectangle_ring(4, 4)}, parts;
+    for (int i = 0; i < 7; ++i) {
+        Ring square = rectangle_ring(i % 3 == 0 ? 0.5 : 0.1, 0.5);
+        for (Vec2& v : square)
+            v.x += 0.5 * (i - 3);
+        rings.push_back(square);
+        parts.push_back(square);
+    }
+    EXPECT_EQ(offset(triangulate(rings), 0.08).rings.size(), 4U);
+    EXPECT_EQ(offset(triangulate(parts), -0.08).rings.size(), 3U);
     // Two squares joined by a thin bridge.
     const Region dumbbell = triangulate({{{0, 0},
                                           {1, 0},
