@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/table.h"
 
+#include "generators/elements/elements_generator.h"
 #include "generators/layout/layout_generator.h"
 #include "generators/leather/leather_generator.h"
 
@@ -9,6 +10,7 @@ namespace scree {
 Registry<Bake> generator_table() {
     Registry<Bake> table("generator");
     table.add(layout_plugin());
+    table.add(elements_plugin());
     table.add(leather_plugin());
     return table;
 }

@@ -54,6 +54,8 @@ Plugin<MakeMesh> heart_component();
 Plugin<MakeMesh> crescent_component();
 Plugin<MakeMesh> letter_component();
 
+Plugin<MakeMesh> sheet_component();
+
 Plugin<MakeMesh> jack_component();
 Plugin<MakeMesh> duck_component();
 Plugin<MakeMesh> tree_component();

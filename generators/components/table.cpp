@@ -11,7 +11,7 @@ Registry<MakeMesh> component_table() {
           pin_component,      star_component,    heart_component,  crescent_component,
           letter_component,   l_brick_component, jack_component,   duck_component,
           tree_component,     rice_component,    banana_component, chestnut_component,
-          bolt_component,     nut_component,     gear_component})
+          bolt_component,     nut_component,     gear_component,   sheet_component})
         table.add(row());
     return table;
 }

@@ -4,6 +4,7 @@
 #include "generators/layout/layout_specs.h"
 #include "generators/layout/method.h"
 #include "generators/layout/prototypes.h"
+#include "generators/sampling/region_shapes.h"
 
 #include <fmt/format.h>
 
@@ -33,10 +34,8 @@ LayoutFields fields_of(const Params& params) {
 }
 
 void check_torus(const Params& params, const LayoutProblem& problem) {
-    const Region& domain = problem.domain.region();
     const Vec2 size = problem.domain.box().size();
-    if (domain.rings.size() != 1 || domain.rings[0].size() != 4 ||
-        area(domain) < size.x * size.y * (1 - 1e-9))
+    if (!is_rectangle(problem.domain.region()))
         throw params.error("torus", "the domain is no rectangle along x and z; only such tile");
     const double least = 4 * (problem.largest_radius() + problem.largest_margin());
     if (std::min(size.x, size.y) < least)

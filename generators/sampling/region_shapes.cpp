@@ -60,4 +60,10 @@ Ring chevron_ring(double size, double stroke) {
                    size, half + stroke);
 }
 
+bool is_rectangle(const Region& region) {
+    const Vec2 size = bounds(region).size();
+    return region.rings.size() == 1 && region.rings[0].size() == 4 &&
+           area(region) >= size.x * size.y * (1 - 1e-9);
+}
+
 } // namespace scree

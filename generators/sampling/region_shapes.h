@@ -20,4 +20,7 @@ Ring l_ring(double size, double stroke);
 Ring u_ring(double size, double stroke);
 Ring chevron_ring(double size, double stroke);
 
+/// Whether the region is one rectangle along x and z, to within 1e-9 of its area.
+bool is_rectangle(const Region& region);
+
 } // namespace scree

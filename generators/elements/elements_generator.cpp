@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/elements/elements_generator.h"
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "generators/elements/element_shapes.h"
+#include "generators/elements/elements_specs.h"
+#include "generators/layout/prototypes.h"
+#include "generators/located.h"
+#include "generators/sampling/region_shapes.h"
+#include "generators/sampling/region_tools.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace scree {
+
+namespace {
+
+std::shared_ptr<const Field> field_of(const Params& params, const char* name) {
+    return params.has(name) ? params.field(name) : nullptr;
+}
+
+/// The domain less what is too near to its border for the farthest-reaching element.
+std::shared_ptr<const Region> inner_domain(const Params& params,
+                                           const std::vector<ElementShape>& shapes) {
+    const std::shared_ptr<const Region> domain = params.region("domain");
+    const auto farthest =
+        std::max_element(shapes.begin(), shapes.end(),
+                         [](const auto& a, const auto& b) { return a.reach < b.reach; });
+    const double scale =
+        params.has("scale_by") ? params.field("scale_by")->over(bounds(*domain)).high : 1;
+    const double reach = farthest->reach * scale;
+    if (reach <= 0)
+        return domain;
+    try {
+        // What it is eroded by is a polygon of 32 corners inscribed in a disk.
+        return std::make_shared<const Region>(offset(*domain, -reach / std::cos(pi / 32)));
+    } catch (const Error&) {
+        const std::size_t i = std::size_t(farthest - shapes.begin());
+        throw params.list("components")[i].error(
+            "shape", fmt::format("reaches {:.4g} m from its centre; a disk of that radius fits "
+                                 "nowhere in the domain",
+                                 reach));
+    }
+}
+
+PoissonDiskProblem problem_from(const Params& params, const std::vector<ElementShape>& shapes) {
+    const std::shared_ptr<const Region> domain = params.region("domain");
+    if (!(area(*domain) > 0))
+        throw params.error("domain", "the domain has no area");
+    const bool torus = params.flag("torus");
+    if (torus && !is_rectangle(*domain))
+        throw params.error("torus", "the domain is no rectangle along x and z; only such tile");
+    return {
+        .domain =
+            !torus && params.text("inside") == "whole" ? inner_domain(params, shapes) : domain,
+        .torus = torus,
+        .classes = disk_classes(params, shapes),
+        .direction = field_of(params, "direction"),
+        .scale = field_of(params, "scale_by"),
+        .seed = static_cast<std::uint64_t>(params.integer("seed")),
+        .kept = {},
+        .window = {},
+    };
+}
+
+/// The component of every sample: its class, or with one class for all, one drawn by weight.
+std::vector<std::uint32_t> components_of(const std::vector<DiskSample>& samples,
+                                         const std::vector<ElementShape>& shapes,
+                                         const PoissonDiskProblem& problem) {
+    std::vector<double> sums;
+    for (const ElementShape& shape : shapes)
+        sums.push_back((sums.empty() ? 0 : sums.back()) + shape.weight);
+    std::vector<std::uint32_t> components(samples.size());
+    parallel_for(samples.size(), 1024, [&](std::size_t i) {
+        components[i] = samples[i].disk_class;
+        if (problem.classes.size() == shapes.size())
+            return;
+        const double at =
+            Random(problem.seed, Purpose::element_attribute, i).uniform(0, sums.back());
+        components[i] = static_cast<std::uint32_t>(
+            std::min<std::ptrdiff_t>(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin(),
+                                     std::ptrdiff_t(sums.size()) - 1));
+    });
+    return components;
+}
+
+std::vector<Instance> instances_of(const std::vector<DiskSample>& samples,
+                                   const std::vector<std::uint32_t>& components,
+                                   const std::vector<ElementShape>& shapes, std::uint64_t seed) {
+    std::vector<Instance> instances(samples.size());
+    parallel_for(samples.size(), 1024, [&](std::size_t i) {
+        const DiskSample& sample = samples[i];
+        const ElementShape& shape = shapes[components[i]];
+        instances[i].prototype = components[i];
+        instances[i].world_from_object = world_from_component(
+            shape.centre, sample.position, sample.angle, sample.scale, shape.height);
+        instances[i].random = Random(seed, Purpose::instance_attribute, i).uniform_float();
+        instances[i].angle = sample.angle;
+        instances[i].scale = sample.scale;
+    });
+    return instances;
+}
+
+/// `fill` counts the regions, `fill_with_margin` the halves of the ellipses, which are what does
+/// not overlap when all elements point the same way. Evenly mixed classes of given sizes come
+/// nearer to each other than to their own kind, so that there it means nothing and is left out.
+Facts facts_of(const Params& params, const std::vector<ElementShape>& shapes,
+               const PoissonDiskSet& set, const std::vector<std::uint32_t>& components) {
+    std::vector<double> counts(shapes.size(), 0.0);
+    double bare = 0, exclusive = 0;
+    for (std::size_t i = 0; i < set.samples.size(); ++i) {
+        const ElementShape& shape = shapes[components[i]];
+        const double scale2 = set.samples[i].scale * set.samples[i].scale;
+        ++counts[components[i]];
+        bare += shape.area * scale2;
+        exclusive += pi / 4 * shape.room.exclusive.length * shape.room.exclusive.width * scale2;
+    }
+    const double domain = area(*params.region("domain"));
+    const double count = double(set.samples.size());
+    Facts facts{{"count", count}, {"fill", bare / domain}};
+    if (shapes.size() == 1 || params.text("mix") == "random" || !shapes.front().sized)
+        facts.emplace_back("fill_with_margin", exclusive / domain);
+    facts.emplace_back("trials", double(set.trials));
+    facts.emplace_back("unresolved", double(set.unresolved));
+    for (std::size_t c = 0; shapes.size() > 1 && c < shapes.size(); ++c) {
+        facts.emplace_back(fmt::format("count_{}", c + 1), counts[c]);
+        facts.emplace_back(fmt::format("share_{}", c + 1), count > 0 ? counts[c] / count : 0.0);
+    }
+    return facts;
+}
+
+std::shared_ptr<const Picture> background_of(const Params& params) {
+    if (!params.has("background"))
+        return nullptr;
+    return located(params, "background", [&] {
+        Picture picture = read_picture(params.text("background"));
+        picture.box = bounds(*params.region("domain"));
+        return std::make_shared<const Picture>(std::move(picture));
+    });
+}
+
+Aggregate bake_elements(const Params& params, const Context& context) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<ElementShape> shapes = element_shapes(params);
+    const PoissonDiskProblem problem = problem_from(params, shapes);
+    const PoissonDiskSet set =
+        located(params, "torus", [&] { return sample_poisson_disks(problem, context); });
+    const std::vector<std::uint32_t> components = components_of(set.samples, shapes, problem);
+
+    Aggregate aggregate;
+    aggregate.generator = "elements";
+    aggregate.seed = problem.seed;
+    for (const ElementShape& shape : shapes)
+        aggregate.prototypes.push_back(shape.prototype);
+    aggregate.instances = instances_of(set.samples, components, shapes, problem.seed);
+    aggregate.domain = params.region("domain");
+    aggregate.background = background_of(params);
+    aggregate.torus = problem.torus;
+    aggregate.texture = true;
+    aggregate.facts = facts_of(params, shapes, set, components);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    aggregate.facts.emplace_back("seconds", seconds.count());
+    return aggregate;
+}
+
+} // namespace
+
+Plugin<Bake> elements_plugin() {
+    return {"elements",
+            "Discrete element textures: components evenly spread over a region, by maximal "
+            "Poisson-disk sampling (Kita & Miyata 2012).",
+            elements_specs(), bake_elements};
+}
+
+} // namespace scree

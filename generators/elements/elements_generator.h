@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generators/table.h"
+
+namespace scree {
+
+/// generator.elements: discrete element textures, small pictures or meshes evenly spread over a
+/// region by Poisson-disk sampling (Kita & Miyata 2012).
+Plugin<Bake> elements_plugin();
+
+} // namespace scree

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/elements/exclusive_ellipse.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace scree {
+
+namespace {
+
+// Tangents and turns are looked at in steps of a degree: a needle that is 30 times as long as wide
+// gets 1% more room than it needs, others less.
+constexpr int half_turn = 180;
+constexpr double step = pi / half_turn;
+
+/// Squares of the corners' coordinates about the middle of the bounding box.
+std::vector<Vec2> squared_offsets(const Region& region) {
+    const Vec2 centre = bounds(region).center();
+    std::vector<Vec2> squares;
+    for (const Ring& ring : region.rings)
+        for (const Vec2& v : ring)
+            squares.push_back((v - centre) * (v - centre));
+    return squares;
+}
+
+/// Distance from the middle of an ellipse to its tangents, for normals at whole steps from its long
+/// axis, over a whole turn.
+std::vector<double> tangent_distances(double length, double width) {
+    std::vector<double> distances(2 * half_turn);
+    for (int i = 0; i < 2 * half_turn; ++i)
+        distances[std::size_t(i)] =
+            std::hypot(length * std::cos(i * step), width * std::sin(i * step));
+    return distances;
+}
+
+/// Where two ellipses touch: the centre of each as seen from the other, along and across its axes.
+struct Touch {
+    Vec2 from_a;
+    Vec2 from_b;
+};
+
+/// All ways in which they do at angles up to `spread` between them. The centre of one then lies on
+/// the border of their Minkowski sum, whose tangents' distances are the sums of theirs; the
+/// polygon of the tangents that are looked at holds it. Ellipses being symmetrical, only angles up
+/// to a right angle and half the directions differ.
+std::vector<Touch> touches(const EllipseAxes& a, const EllipseAxes& b, double spread) {
+    const std::vector<double> own = tangent_distances(a.length, a.width);
+    const std::vector<double> others = tangent_distances(b.length, b.width);
+    std::vector<double> secants(half_turn / 2);
+    for (int i = 0; i < half_turn / 2; ++i)
+        secants[std::size_t(i)] = 1 / std::cos(i * step);
+    std::vector<Touch> result;
+    const int turns = static_cast<int>(std::ceil(std::min(spread, pi / 2) / step - 1e-9));
+    for (int turn = 0; turn <= turns; ++turn) {
+        for (int towards = 0; towards < half_turn; ++towards) {
+            double distance = std::numeric_limits<double>::infinity();
+            for (int i = towards - half_turn / 2 + 1; i < towards + half_turn / 2; ++i) {
+                const auto normal = std::size_t(i + 2 * half_turn) % (2 * half_turn);
+                const auto turned = std::size_t(i - turn + 2 * half_turn) % (2 * half_turn);
+                distance = std::min(distance, (own[normal] + others[turned]) *
+                                                  secants[std::size_t(std::abs(i - towards))]);
+            }
+            result.push_back({rotate({distance, 0}, towards * step),
+                              rotate({distance, 0}, (towards - turn) * step)});
+        }
+    }
+    return result;
+}
+
+/// Half the width of the ellipse `length` long on whose border the point lies.
+double width_through(const Vec2& point, double length) {
+    const double along = point.x / length;
+    if (std::abs(along) < 1)
+        return std::abs(point.y) / std::sqrt(1 - along * along);
+    return std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+EllipseAxes enclosing_ellipse(const Region& region) {
+    // With p and q the inverse squares of the axes every corner asks for p x^2 + q y^2 <= 1, and
+    // the least area has the greatest p q: for each p the greatest q is the least of linear
+    // functions, and p q(p) has one maximum.
+    const std::vector<Vec2> squares = squared_offsets(region);
+    const auto greatest_q = [&](double p) {
+        double q = std::numeric_limits<double>::infinity();
+        for (const Vec2& s : squares)
+            if (s.y > 0)
+                q = std::min(q, std::max(0.0, 1 - p * s.x) / s.y);
+        return q;
+    };
+    double longest = 0;
+    for (const Vec2& s : squares)
+        longest = std::max(longest, s.x);
+    double low = 0, high = 1 / longest;
+    for (int i = 0; i < 100; ++i) {
+        const double third = (high - low) / 3;
+        const double a = low + third, b = high - third;
+        if (a * greatest_q(a) < b * greatest_q(b))
+            low = a;
+        else
+            high = b;
+    }
+    const double p = (low + high) / 2;
+    return {1 / std::sqrt(p), 1 / std::sqrt(greatest_q(p))};
+}
+
+EllipseAxes enclosing_disk(const Region& region) {
+    double most = 0;
+    for (const Vec2& s : squared_offsets(region))
+        most = std::max(most, s.x + s.y);
+    return {std::sqrt(most), std::sqrt(most)};
+}
+
+EllipseAxes exclusive_ellipse(const EllipseAxes& half, double spread) {
+    if (half.length < half.width) {
+        const EllipseAxes turned = exclusive_ellipse({half.width, half.length}, spread);
+        return {turned.width, turned.length};
+    }
+    if (spread <= 0 || half.length == half.width)
+        return {2 * half.length, 2 * half.width};
+    // A longer ellipse may be much slimmer, for what lies beyond the tips is never far to the side.
+    const std::vector<Touch> all = touches(half, half, spread);
+    EllipseAxes best{2 * half.length, 2 * half.length};
+    for (int percent = 1; percent <= 60; ++percent) {
+        EllipseAxes axes{2 * half.length * (1 + 0.01 * percent), 2 * half.width};
+        for (const Touch& touch : all)
+            axes.width = std::max(axes.width, std::min(width_through(touch.from_a, axes.length),
+                                                       width_through(touch.from_b, axes.length)));
+        if (axes.mean() < best.mean())
+            best = axes;
+    }
+    return best;
+}
+
+double class_distance(const ElementRoom& a, const ElementRoom& b, double spread) {
+    const auto reach = [](const EllipseAxes& axes, const Vec2& point) {
+        return axes.mean() * std::hypot(point.x / axes.length, point.y / axes.width);
+    };
+    double distance = 0;
+    for (const Touch& touch : touches(a.half, b.half, spread))
+        distance = std::max(
+            distance, std::min(reach(a.exclusive, touch.from_a), reach(b.exclusive, touch.from_b)));
+    return distance;
+}
+
+} // namespace scree

@@ -1,0 +1,9 @@
+return scene {
+  objects = {
+    generator.elements {
+      domain = region.rectangle { width = 1, depth = 3 },
+      torus = true,
+      components = { { shape = region.rectangle { width = 0.6, depth = 0.6 } } },
+    },
+  },
+}
