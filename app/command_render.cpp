@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "app/load.h"
+#include "app/picture_materials.h"
 #include "app/run_stats.h"
 #include "core/file.h"
 #include "core/parallel.h"
@@ -141,8 +142,8 @@ int render_scene(const RenderCommand& command) {
     if (!command.size.empty())
         parse_size(command.size, scene.film);
     const RenderOptions options = options_of(command, scene);
-    const std::vector<Aggregate> aggregates =
-        bake_scene(scene, command.scene, stages, console, cancel);
+    std::vector<Aggregate> aggregates = bake_scene(scene, command.scene, stages, console, cancel);
+    show_pictures(aggregates, scene);
 
     stages.begin("build");
     Context context;

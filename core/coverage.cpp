@@ -39,20 +39,26 @@ void Coverage::add_edge(Vec2 a, Vec2 b) {
 }
 
 // An edge inside one row: each pixel it crosses gets its share of the height, split by where in
-// the pixel it crosses.
+// the pixel it crosses. What lies to the left of the box covers all of the row, what lies to the
+// right nothing.
 void Coverage::add_span(int row, double x0, double x1, double height_share) {
-    x0 = std::clamp(x0 - left_, 0.0, double(width_));
-    x1 = std::clamp(x1 - left_, 0.0, double(width_));
+    x0 -= left_;
+    x1 -= left_;
     if (x0 > x1)
         std::swap(x0, x1);
+    const double length = x1 - x0;
     double* out = &differences_[std::size_t(row) * std::size_t(width_ + 2)];
-    const int first = static_cast<int>(x0);
-    const int last = static_cast<int>(x1);
+    if (x0 < 0)
+        out[0] += length > 0 ? height_share * (std::min(x1, 0.0) - x0) / length : height_share;
+    if (x1 < 0 || x0 >= width_)
+        return;
+    const int first = static_cast<int>(std::max(x0, 0.0));
+    const int last = static_cast<int>(std::min(x1, double(width_)));
     for (int x = first; x <= last; ++x) {
         const double l = std::max(x0, double(x));
         const double r = std::min(x1, double(x + 1));
         const double share =
-            x1 > x0 ? height_share * std::max(0.0, r - l) / (x1 - x0) : height_share;
+            length > 0 ? height_share * std::max(0.0, r - l) / length : height_share;
         const double covered = 1 - ((l + r) / 2 - x);
         out[x] += share * covered;
         out[x + 1] += share * (1 - covered);

@@ -220,8 +220,8 @@ Rgba PictureFilter::trilinear(const Vec2& uv, double width) const {
                           ? Vec2(uv.x - std::floor(uv.x), uv.y - std::floor(uv.y))
                           : Vec2(std::clamp(uv.x, 0.0, 1.0), std::clamp(uv.y, 0.0, 1.0));
     const double last = levels() - 1;
-    const double depth =
-        std::clamp(std::log2(std::max(1e-9, width * levels_.front().width)), 0.0, last);
+    const double texels = width * std::sqrt(double(levels_.front().width) * levels_.front().height);
+    const double depth = std::clamp(std::log2(std::max(1e-9, texels)), 0.0, last);
     const int below = static_cast<int>(depth);
     const Rgba fine = bilinear(level(below), near);
     const auto share = static_cast<float>(depth - below);

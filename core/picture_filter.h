@@ -45,8 +45,9 @@ class PictureFilter {
     };
     Placed placed(const PicturePlace& place) const;
 
-    /// The mean over about `width` (a share of the picture's width) around `uv`, whose (0, 0) is
-    /// the lower left corner: bilinear in the two nearest halvings (Williams 1983).
+    /// The mean around `uv`, whose (0, 0) is the lower left corner, over about the square of
+    /// `width`, as a share of the picture's area: bilinear in the two nearest halvings (Williams
+    /// 1983).
     Rgba trilinear(const Vec2& uv, double width) const;
 
     int levels() const { return static_cast<int>(levels_.size()); }

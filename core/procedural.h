@@ -13,6 +13,7 @@ struct ShadingPoint {
     Vec3 position;       // in the object's own frame [m]
     float footprint = 0; // width of the pixel's filter at the point, in the object's frame [m]
     Vec2f uv;
+    float uv_footprint = 0; // the footprint in UV; 0 where the mesh has none
 };
 
 /// What it answers.

@@ -43,8 +43,9 @@ class LayoutImage {
         }
         if (aggregate.background && aggregate.domain)
             draw_background(aggregate);
-        for (const Vec2& shift : picture_shifts(aggregate))
-            for (const Instance& instance : aggregate.instances)
+        // Copies beside their element: what lies over what is the same on both sides of a seam.
+        for (const Instance& instance : aggregate.instances)
+            for (const Vec2& shift : picture_shifts(aggregate))
                 if (is_seen(aggregate, instance, shift))
                     draw(aggregate, instance, shift, color);
         canvas_.clip_nothing();

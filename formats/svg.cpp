@@ -90,8 +90,8 @@ void write_background(std::string& out, const Aggregate& aggregate, std::size_t 
 void write_elements(std::string& out, const Aggregate& aggregate, std::size_t number,
                     const ElementColor& color) {
     auto to = std::back_inserter(out);
-    for (const Vec2& shift : picture_shifts(aggregate))
-        for (const Instance& instance : aggregate.instances) {
+    for (const Instance& instance : aggregate.instances)
+        for (const Vec2& shift : picture_shifts(aggregate)) {
             if (!is_seen(aggregate, instance, shift))
                 continue;
             fmt::format_to(to, "<use xlink:href=\"#a{}p{}\" transform=\"{}\"", number,

@@ -2,12 +2,14 @@
 #include "procedurals/table.h"
 
 #include "procedurals/checker.h"
+#include "procedurals/image.h"
 
 namespace scree {
 
 Registry<MakeProcedural> procedural_table() {
     Registry<MakeProcedural> table("procedural");
     table.add(checker_plugin());
+    table.add(image_plugin());
     return table;
 }
 

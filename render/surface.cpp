@@ -29,6 +29,7 @@ Color paint_at(const Paint& paint, const Hit& hit, float footprint, Vec3& normal
         return paint.texture.constant;
     const Procedural& procedural = *paint.texture.procedural;
     ShadingPoint point{hit.object_position, footprint / hit.object_scale, hit.uv()};
+    point.uv_footprint = point.footprint * hit.uv_scale();
     ShadingSample sample;
     procedural.evaluate({&point, 1}, {&sample, 1});
     if (sample.height != 0) {

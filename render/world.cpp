@@ -300,6 +300,17 @@ Vec2f Hit::uv() const {
            mesh->uvs[c] * barycentric.y;
 }
 
+float Hit::uv_scale() const {
+    if (mesh == nullptr || mesh->uvs.empty())
+        return 0;
+    const auto [a, b, c] = mesh->triangles[triangle];
+    const Vec2f u = mesh->uvs[b] - mesh->uvs[a], v = mesh->uvs[c] - mesh->uvs[a];
+    const Vec3 p = mesh->positions[b] - mesh->positions[a],
+               q = mesh->positions[c] - mesh->positions[a];
+    const float area = p.cross(q).length();
+    return area > 0 ? std::sqrt(std::abs(u.x * v.y - u.y * v.x) / area) : 0;
+}
+
 RawHit World::find(const Ray& ray, std::uint64_t* clock) const {
     RTCRayHit query;
     query.ray.org_x = ray.origin.x;

@@ -42,6 +42,9 @@ struct Hit {
 
     Vec2f uv() const; // apart, since only procedurals ask
 
+    /// UV per metre of the object, by areas of the triangle; 0 without.
+    float uv_scale() const;
+
     /// A ray that leaves the surface and cannot meet it again by rounding.
     Ray leave(const Vec3& direction) const {
         const float side = direction.dot(normal) > 0 ? offset : -offset;

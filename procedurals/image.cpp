@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "procedurals/image.h"
+
+#include "core/picture_filter.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace scree {
+
+namespace {
+
+// Below this share of alpha a colour is rounding of what is not there (8 bits hold 1/255).
+constexpr float least_alpha = 1.0F / 512;
+
+class ImageTexture final : public Procedural {
+  public:
+    ImageTexture(const Image& image, Beyond beyond, std::optional<Color> ground)
+        : filter_(image, beyond), ground_(ground) {}
+
+    void evaluate(std::span<const ShadingPoint> points,
+                  std::span<ShadingSample> samples) const override {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            samples[i] = {color(Vec2(points[i].uv), double(points[i].uv_footprint)), 0.0F};
+    }
+
+  private:
+    Color color(const Vec2& uv, double width) const {
+        Rgba found = filter_.trilinear(uv, width);
+        if (ground_) {
+            const Color under = *ground_ * (1 - found[3]);
+            return {found[0] + under.x, found[1] + under.y, found[2] + under.z};
+        }
+        // Coarser halvings know what is opaque farther away.
+        for (width = std::max(width, 1.0 / filter_.level(0).width);
+             found[3] < least_alpha && width < 2; width *= 2)
+            found = filter_.trilinear(uv, width);
+        if (found[3] < least_alpha)
+            return Color(0.0F);
+        return {found[0] / found[3], found[1] / found[3], found[2] / found[3]};
+    }
+
+    PictureFilter filter_;
+    std::optional<Color> ground_;
+};
+
+std::shared_ptr<const Procedural> make_image(const Params& params) {
+    const auto read = [&] {
+        try {
+            return read_picture(params.text("path"),
+                                static_cast<int>(params.integer("resolution")));
+        } catch (const Error& error) {
+            if (error.fault() != Fault::input)
+                throw;
+            throw params.error("path", error.diagnostics().front().message);
+        }
+    };
+    std::optional<Color> ground;
+    if (params.has("ground"))
+        ground = params.color("ground");
+    return std::make_shared<ImageTexture>(
+        read().image, params.flag("repeats") ? Beyond::repeated : Beyond::clamped, ground);
+}
+
+} // namespace
+
+std::shared_ptr<const Procedural> picture_texture(const Picture& picture) {
+    return std::make_shared<ImageTexture>(picture.image, Beyond::clamped, std::nullopt);
+}
+
+Plugin<MakeProcedural> image_plugin() {
+    return {
+        "image",
+        "A picture over the UV square of a mesh, (0, 0) at its lower left, filtered over the "
+        "pixel (Williams 1983).",
+        {
+            {.name = "path",
+             .type = ParamType::path,
+             .doc = "A PNG, JPEG (sRGB, taken to linear), EXR (linear) or SVG."},
+            {.name = "repeats",
+             .type = ParamType::boolean,
+             .doc = "Goes on beyond the UV square; otherwise its border pixels do.",
+             .fallback = false},
+            {.name = "ground",
+             .type = ParamType::color,
+             .doc = "What shows through where it is transparent; unless given, the colours of "
+                    "what is opaque nearby go on.",
+             .optional = true},
+            {.name = "resolution",
+             .type = ParamType::integer,
+             .doc = "Pixels along the longer side of an SVG.",
+             .unit = "pixels",
+             .fallback = std::int64_t{1024},
+             .min = 16.0,
+             .max = 8192.0},
+        },
+        make_image,
+    };
+}
+
+} // namespace scree

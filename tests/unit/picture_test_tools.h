@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures and folders of the tests of pictures.
+#pragma once
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/picture.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <unistd.h>
+
+namespace scree::test {
+
+/// A folder of its own that goes with it.
+class Folder {
+  public:
+    Folder()
+        : path_(std::filesystem::temp_directory_path() /
+                ("scree_pictures_" + std::to_string(getpid()))) {
+        std::filesystem::create_directories(path_);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder() { std::filesystem::remove_all(path_); }
+
+    std::string file(const std::string& name) const { return (path_ / name).string(); }
+    std::string write(const std::string& name, const std::string& bytes) const {
+        write_file(file(name), bytes);
+        return file(name);
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+using Look = std::function<std::array<float, 4>(double x, double y)>; // linear, not multiplied
+
+/// The look at the middles of pixels, as a picture holds it.
+inline Image picture_of(int width, int height, const Look& look) {
+    Image image(width, height, {"R", "G", "B", "A"});
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::array<float, 4> v = look((x + 0.5) / width, (y + 0.5) / height);
+            float* out = image.at(x, y);
+            for (int c = 0; c < 3; ++c)
+                out[c] = v[std::size_t(c)] * v[3];
+            out[3] = v[3];
+        }
+    return image;
+}
+
+inline std::string svg(const std::string& body,
+                       const std::string& attributes = "width='40' height='20'") {
+    return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' " +
+           attributes + ">\n" + body + "</svg>";
+}
+
+inline std::string error_of(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+} // namespace scree::test
