@@ -58,7 +58,7 @@ class Cells {
     double rate(const Part& part) const;
     void add_kept(const DiskSample& sample);
     void place(std::uint32_t c, const DiskSample& sample, const QuadraticForm& form);
-    void end_covered(std::uint32_t c, float now);
+    void end_covered(std::uint32_t c, float now, bool is_own_time_set);
     void end_whole(std::uint32_t c, std::uint32_t ended, float now);
     void gather_near(std::uint32_t c);
     bool is_free(const DiskSample& sample, const QuadraticForm& form) const;
@@ -116,12 +116,12 @@ Cells::Cells(const PoissonDiskProblem& problem)
     whole_.assign(n, 0);
     part_of_.assign(n, nothing);
     sample_of_.assign(n, nothing);
-    for (const DiskSample& sample : problem.kept)
-        add_kept(sample);
-    kept_ = placed_.size();
     for (std::uint32_t c = 0; c < n; ++c)
         start(c);
     leaves_.forget_pieces();
+    for (const DiskSample& sample : problem.kept)
+        add_kept(sample);
+    kept_ = placed_.size();
 }
 
 void Cells::start(std::uint32_t c) {
@@ -166,8 +166,10 @@ double Cells::rate(const Part& part) const {
 }
 
 void Cells::add_kept(const DiskSample& sample) {
-    if (const auto c = leaves_.leaf_at(sample.position))
+    if (const auto c = leaves_.leaf_at(sample.position)) {
         place(*c, sample, metric_.form(sample.disk_class, sample.angle, sample.scale));
+        end_covered(*c, 0, false);
+    }
 }
 
 void Cells::place(std::uint32_t c, const DiskSample& sample, const QuadraticForm& form) {
@@ -178,8 +180,9 @@ void Cells::place(std::uint32_t c, const DiskSample& sample, const QuadraticForm
 }
 
 // Ends classes in the cells near that the sample covers whole: most will never throw a dart.
-// What is left waits as much longer as its measure is smaller: waits have no memory.
-void Cells::end_covered(std::uint32_t c, float now) {
+// What is left waits as much longer as its measure is smaller: waits have no memory. The cell's own
+// wait begins anew where its own time is about to be set.
+void Cells::end_covered(std::uint32_t c, float now, bool is_own_time_set) {
     const Placed& placed = placed_.back();
     const std::uint32_t o = placed.sample.disk_class;
     leaves_.for_runs_near(c, [&](std::uint32_t first, std::uint32_t last) {
@@ -201,7 +204,7 @@ void Cells::end_covered(std::uint32_t c, float now) {
                 if (farthest < metric_.limit(o, k) * (1 - doubt_))
                     ended |= 1U << k;
             }
-            if (ended == 0 || i == c)
+            if (ended == 0 || (i == c && is_own_time_set))
                 whole_[i] &= ~ended;
             else
                 end_whole(i, ended, now);
@@ -488,7 +491,7 @@ void Cells::happen(std::uint32_t c) {
     gather_near(c);
     if (is_free(sample, form)) {
         place(c, sample, form);
-        end_covered(c, time);
+        end_covered(c, time, true);
         near_.push_back({sample.position, static_cast<std::uint32_t>(placed_.size()) - 1});
         cut_parts(c);
     }

@@ -6,6 +6,7 @@
 #include "generators/sampling/disk_metric.h"
 #include "generators/sampling/elliptic_disks.h"
 #include "generators/sampling/isotropic_disks.h"
+#include "generators/sampling/relax_disks.h"
 
 #include <fmt/format.h>
 
@@ -50,11 +51,26 @@ PoissonDiskSet sample_isotropic(const PoissonDiskProblem& problem, const Context
     return set;
 }
 
+PoissonDiskSet sample_relaxed(const PoissonDiskProblem& problem, const Context& context) {
+    PoissonDiskProblem plain = problem;
+    plain.relax = 0;
+    PoissonDiskSet set = sample_poisson_disks(plain, context);
+    relax_disks(plain, problem.relax, set.samples, context);
+    plain.kept = set.samples; // and what moved too near to another is made up for
+    PoissonDiskSet more = sample_elliptic_disks(plain, context);
+    set.samples.insert(set.samples.end(), more.samples.begin(), more.samples.end());
+    set.trials += more.trials;
+    set.unresolved = more.unresolved;
+    return set;
+}
+
 } // namespace
 
 PoissonDiskSet sample_poisson_disks(const PoissonDiskProblem& problem, const Context& context) {
     if (problem.torus)
         check_torus(problem);
+    if (problem.relax > 0 && problem.kept.empty() && !problem.window)
+        return sample_relaxed(problem, context);
     return is_isotropic(problem) ? sample_isotropic(problem, context)
                                  : sample_elliptic_disks(problem, context);
 }

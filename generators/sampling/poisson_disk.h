@@ -40,6 +40,7 @@ struct PoissonDiskProblem {
     std::shared_ptr<const Field> direction; // [deg] of the long axes; none: 0
     std::shared_ptr<const Field> scale;     // multiplies all axes, above 0; none: 1
     std::uint64_t seed = 0;
+    int relax = 0;                // steps in which the samples move apart; not beside kept ones
     std::vector<DiskSample> kept; // are there already, and stay; the result leaves them out
     std::optional<Box2> window;   // new samples are looked for here only
 };
@@ -55,8 +56,9 @@ struct PoissonDiskSet {
 /// `unresolved` places, each narrower than 1e-9 of the ellipse there, or than 1e-3 where a field
 /// jumps. Up to rounding it is distributed as if darts had been thrown one by one for ever (random
 /// sequential adsorption), uniformly over the domain and on each class in inverse proportion to its
-/// ellipse. Throws Cancelled, and Error for a torus that is narrower than four times
-/// the longest reach.
+/// ellipse. Relaxed sets (`relax_disks`) are just as free of conflicts and as maximal, but more
+/// even. Throws Cancelled, and Error for a torus that is narrower than four times the longest
+/// reach.
 PoissonDiskSet sample_poisson_disks(const PoissonDiskProblem& problem, const Context& context);
 
 /// Distances between centres of classes, row by row: `distances[i]` on the diagonal, and between
