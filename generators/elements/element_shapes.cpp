@@ -48,7 +48,7 @@ Prototype read_prototype(const Params& component, std::size_t index) {
         prototype.mesh = std::make_shared<const Mesh>(
             flat_mesh(*prototype.region, fmt::format("component_{}", index)));
     }
-    if (component.has("region"))
+    if (prototype.region == nullptr)
         prototype.region = component.region("region");
     prototype.name = prototype.mesh->name;
     prototype.material = component.material("material");
@@ -85,8 +85,13 @@ EllipseAxes given_axes(const Params& component, const EllipseAxes& own, bool dis
     return axes;
 }
 
+/// What keeps others away.
+const Region& outline_of(const Params& component, const Prototype& prototype) {
+    return component.has("region") ? *component.region("region") : *prototype.region;
+}
+
 void measure(const Params& component, bool disk, double spread, ElementShape& shape) {
-    const Region& region = *shape.prototype.region;
+    const Region& region = outline_of(component, shape.prototype);
     const double margin = component.number("margin");
     shape.reach = enclosing_disk(region).length + margin;
     EllipseAxes& half = shape.room.half;
@@ -111,11 +116,12 @@ std::vector<ElementShape> element_shapes(const Params& params) {
         const Params& component = components[i];
         ElementShape& shape = shapes[i];
         shape.prototype = read_prototype(component, i);
-        shape.area = area(*shape.prototype.region);
+        const Region& outline = outline_of(component, shape.prototype);
+        shape.area = area(outline);
         if (!(shape.area > 0))
             throw component.error(component.has("region") ? "region" : "shape",
                                   "the region has no area");
-        shape.centre = bounds(*shape.prototype.region).center();
+        shape.centre = bounds(outline).center();
         shape.weight = component.number("weight");
         shape.height = component.number("height");
         shape.turn = turn_of(params, component);
