@@ -37,7 +37,7 @@ local petals = generator.elements {
 }
 
 return scene {
-  film = { width = 1280, height = 720, samples = 64, clamp = 8 },
+  film = { width = 1280, height = 720, samples = 64, clamp = 8, exposure = 0.5 },
   camera = camera.perspective { from = { 0, 0.44, 0.7 }, at = { 0, 0, -0.03 }, fov = 34, aperture = 0.008 },
   lights = {
     light.sky { zenith = { 0.3, 0.42, 0.6 }, horizon = { 0.75, 0.85, 0.95 }, ground = { 0.1, 0.12, 0.13 }, strength = 0.7 },

@@ -25,12 +25,12 @@ std::vector<Vec2> squared_offsets(const Region& region) {
 }
 
 /// Distance from the middle of an ellipse to its tangents, for normals at whole steps from its long
-/// axis, over a whole turn.
-std::vector<double> tangent_distances(double length, double width) {
-    std::vector<double> distances(2 * half_turn);
-    for (int i = 0; i < 2 * half_turn; ++i)
-        distances[std::size_t(i)] =
-            std::hypot(length * std::cos(i * step), width * std::sin(i * step));
+/// axis, over half a turn; then they repeat.
+std::vector<double> tangent_distances(const EllipseAxes& axes) {
+    std::vector<double> distances;
+    for (int i = 0; i < half_turn; ++i)
+        distances.push_back(
+            std::hypot(axes.length * std::cos(i * step), axes.width * std::sin(i * step)));
     return distances;
 }
 
@@ -45,22 +45,24 @@ struct Touch {
 /// polygon of the tangents that are looked at holds it. Ellipses being symmetrical, only angles up
 /// to a right angle and half the directions differ.
 std::vector<Touch> touches(const EllipseAxes& a, const EllipseAxes& b, double spread) {
-    const std::vector<double> own = tangent_distances(a.length, a.width);
-    const std::vector<double> others = tangent_distances(b.length, b.width);
-    std::vector<double> secants(half_turn / 2);
-    for (int i = 0; i < half_turn / 2; ++i)
-        secants[std::size_t(i)] = 1 / std::cos(i * step);
+    const std::vector<double> own = tangent_distances(a), others = tangent_distances(b);
+    constexpr int reach = half_turn / 2 - 1; // farther away a tangent does not meet the direction
+    std::vector<double> secants;
+    for (int i = -reach; i <= reach; ++i)
+        secants.push_back(1 / std::cos(i * step));
+    std::vector<double> sums(2 * half_turn + 2 * reach);
     std::vector<Touch> result;
     const int turns = static_cast<int>(std::ceil(std::min(spread, pi / 2) / step - 1e-9));
     for (int turn = 0; turn <= turns; ++turn) {
+        for (std::size_t i = 0; i < sums.size(); ++i) { // the first is `reach` before direction 0
+            const int normal = static_cast<int>(i) - reach + half_turn;
+            sums[i] = own[std::size_t(normal % half_turn)] +
+                      others[std::size_t((normal - turn + half_turn) % half_turn)];
+        }
         for (int towards = 0; towards < half_turn; ++towards) {
             double distance = std::numeric_limits<double>::infinity();
-            for (int i = towards - half_turn / 2 + 1; i < towards + half_turn / 2; ++i) {
-                const auto normal = std::size_t(i + 2 * half_turn) % (2 * half_turn);
-                const auto turned = std::size_t(i - turn + 2 * half_turn) % (2 * half_turn);
-                distance = std::min(distance, (own[normal] + others[turned]) *
-                                                  secants[std::size_t(std::abs(i - towards))]);
-            }
+            for (std::size_t i = 0; i < secants.size(); ++i)
+                distance = std::min(distance, sums[std::size_t(towards) + i] * secants[i]);
             result.push_back({rotate({distance, 0}, towards * step),
                               rotate({distance, 0}, (towards - turn) * step)});
         }
