@@ -58,7 +58,9 @@ Prototype read_prototype(const Params& component, std::size_t index) {
 Range turn_of(const Params& params, const Params& component) {
     if (component.has("rotation"))
         return component.range("rotation");
-    return params.has("rotation") ? params.range("rotation") : Range{0, 0};
+    if (params.has("rotation"))
+        return params.range("rotation");
+    return params.has("surface") ? Range{0, 2 * pi} : Range{0, 0};
 }
 
 /// How much directions of elements may differ, apart from where they lie.
@@ -127,8 +129,9 @@ std::vector<ElementShape> element_shapes(const Params& params) {
         shape.turn = turn_of(params, component);
     }
     const double spread = spread_of(shapes);
+    const bool disk = params.text("exclusion") == "disk" || params.has("surface");
     for (std::size_t i = 0; i < components.size(); ++i) {
-        measure(components[i], params.text("exclusion") == "disk", spread, shapes[i]);
+        measure(components[i], disk, spread, shapes[i]);
         if (params.text("mix") == "even" && shapes[i].sized != shapes[0].sized)
             throw components[i].error("length",
                                       shapes[i].sized

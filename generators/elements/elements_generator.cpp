@@ -3,7 +3,9 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
+#include "generators/elements/element_kinds.h"
 #include "generators/elements/element_shapes.h"
+#include "generators/elements/elements_on_surface.h"
 #include "generators/elements/elements_specs.h"
 #include "generators/layout/prototypes.h"
 #include "generators/located.h"
@@ -64,30 +66,10 @@ PoissonDiskProblem problem_from(const Params& params, const std::vector<ElementS
         .direction = field_of(params, "direction"),
         .scale = field_of(params, "scale_by"),
         .seed = static_cast<std::uint64_t>(params.integer("seed")),
+        .relax = static_cast<int>(params.integer("relax")),
         .kept = {},
         .window = {},
     };
-}
-
-/// The component of every sample: its class, or with one class for all, one drawn by weight.
-std::vector<std::uint32_t> components_of(const std::vector<DiskSample>& samples,
-                                         const std::vector<ElementShape>& shapes,
-                                         const PoissonDiskProblem& problem) {
-    std::vector<double> sums;
-    for (const ElementShape& shape : shapes)
-        sums.push_back((sums.empty() ? 0 : sums.back()) + shape.weight);
-    std::vector<std::uint32_t> components(samples.size());
-    parallel_for(samples.size(), 1024, [&](std::size_t i) {
-        components[i] = samples[i].disk_class;
-        if (problem.classes.size() == shapes.size())
-            return;
-        const double at =
-            Random(problem.seed, Purpose::element_attribute, i).uniform(0, sums.back());
-        components[i] = static_cast<std::uint32_t>(
-            std::min<std::ptrdiff_t>(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin(),
-                                     std::ptrdiff_t(sums.size()) - 1));
-    });
-    return components;
 }
 
 std::vector<Instance> instances_of(const std::vector<DiskSample>& samples,
@@ -107,31 +89,25 @@ std::vector<Instance> instances_of(const std::vector<DiskSample>& samples,
     return instances;
 }
 
-/// `fill` counts the regions, `fill_with_margin` the halves of the ellipses, which are what does
-/// not overlap when all elements point the same way. Evenly mixed classes of given sizes come
-/// nearer to each other than to their own kind, so that there it means nothing and is left out.
+/// `fill_with_margin` counts the halves of the ellipses, which are what does not overlap when all
+/// elements point the same way. Evenly mixed classes of given sizes come nearer to each other than
+/// to their own kind, so that there it means nothing and is left out.
 Facts facts_of(const Params& params, const std::vector<ElementShape>& shapes,
                const PoissonDiskSet& set, const std::vector<std::uint32_t>& components) {
-    std::vector<double> counts(shapes.size(), 0.0);
     double bare = 0, exclusive = 0;
     for (std::size_t i = 0; i < set.samples.size(); ++i) {
         const ElementShape& shape = shapes[components[i]];
         const double scale2 = set.samples[i].scale * set.samples[i].scale;
-        ++counts[components[i]];
         bare += shape.area * scale2;
         exclusive += pi / 4 * shape.room.exclusive.length * shape.room.exclusive.width * scale2;
     }
     const double domain = area(*params.region("domain"));
-    const double count = double(set.samples.size());
-    Facts facts{{"count", count}, {"fill", bare / domain}};
+    Facts facts{{"count", double(set.samples.size())}, {"fill", bare / domain}};
     if (shapes.size() == 1 || params.text("mix") == "random" || !shapes.front().sized)
         facts.emplace_back("fill_with_margin", exclusive / domain);
     facts.emplace_back("trials", double(set.trials));
     facts.emplace_back("unresolved", double(set.unresolved));
-    for (std::size_t c = 0; shapes.size() > 1 && c < shapes.size(); ++c) {
-        facts.emplace_back(fmt::format("count_{}", c + 1), counts[c]);
-        facts.emplace_back(fmt::format("share_{}", c + 1), count > 0 ? counts[c] / count : 0.0);
-    }
+    add_shares(components, shapes.size(), facts);
     return facts;
 }
 
@@ -147,13 +123,25 @@ std::shared_ptr<const Picture> background_of(const Params& params) {
 
 Aggregate bake_elements(const Params& params, const Context& context) {
     const auto start = Clock::now();
+    if (params.has("domain") == params.has("surface"))
+        throw params.error(params.has("domain") ? "surface" : "domain",
+                           params.has("domain") ? "is given beside a domain; one of them will do"
+                                                : "is missing, and there is no surface either",
+                           params.has("domain") ? ""
+                                                : "expected a region.*, or surface = a mesh.*");
     const std::vector<ElementShape> shapes = element_shapes(params);
+    if (params.has("surface"))
+        return bake_on_surface(params, shapes, context);
     const PoissonDiskProblem problem = problem_from(params, shapes);
     const auto sampling_start = Clock::now();
     const PoissonDiskSet set =
         located(params, "torus", [&] { return sample_poisson_disks(problem, context); });
     const std::chrono::duration<double> sampling = Clock::now() - sampling_start;
-    const std::vector<std::uint32_t> components = components_of(set.samples, shapes, problem);
+    std::vector<std::uint32_t> classes;
+    for (const DiskSample& sample : set.samples)
+        classes.push_back(sample.disk_class);
+    const std::vector<std::uint32_t> components =
+        components_of(classes, shapes, problem.classes.size(), problem.seed);
 
     Aggregate aggregate;
     aggregate.generator = "elements";

@@ -76,7 +76,16 @@ std::vector<ParamSpec> component_specs() {
 
 std::vector<ParamSpec> elements_specs() {
     return {
-        {.name = "domain", .type = ParamType::region, .doc = "What is filled with elements."},
+        {.name = "domain",
+         .type = ParamType::region,
+         .doc = "What is filled with elements; or surface is.",
+         .optional = true},
+        {.name = "surface",
+         .type = ParamType::mesh,
+         .doc =
+             "A mesh on which the elements stand, each along the normal there and turned any way "
+             "unless there is a rotation; they keep apart as disks.",
+         .optional = true},
         {.name = "torus",
          .type = ParamType::boolean,
          .doc = "The domain, a rectangle, tiles: what sticks out of it comes in on the other side.",
@@ -116,6 +125,13 @@ std::vector<ParamSpec> elements_specs() {
          .optional = true,
          .min = 1e-6,
          .max = 1e6},
+        {.name = "relax",
+         .type = ParamType::integer,
+         .doc = "Steps in which the elements push each other apart, for the most even spread; 30 "
+                "are enough for several components.",
+         .fallback = std::int64_t{0},
+         .min = 0.0,
+         .max = 10000.0},
         {.name = "background",
          .type = ParamType::path,
          .doc = "A PNG, JPEG, EXR or SVG under a baked picture of the elements; it fills the "

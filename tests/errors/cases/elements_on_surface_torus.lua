@@ -1,0 +1,9 @@
+return scene {
+  objects = {
+    generator.elements {
+      surface = mesh.sphere {},
+      torus = true,
+      components = { { shape = mesh.rice {} } },
+    },
+  },
+}

@@ -1,0 +1,7 @@
+return scene {
+  objects = {
+    generator.elements {
+      components = { { shape = mesh.rice {} } },
+    },
+  },
+}
