@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/sampling/region_shapes.h"
+#include "generators/sampling/region_tools.h"
 #include "generators/table.h"
 
 #include <gtest/gtest.h>
@@ -65,6 +67,29 @@ double area_of_wrong_normals(const Mesh& mesh) {
             }
     }
     return sum;
+}
+
+TEST(Components, SheetsOfAnyOutlineBendAndStayClosed) {
+    const auto outline = std::make_shared<const Region>(
+        triangulate({star_ring(0.1, 0.3, 7), circle_ring(0.02, 16), circle_ring(0.01, 9)}));
+    for (const double bend : {0.0, 1.0, -2.5}) {
+        const Mesh mesh = make("sheet", {{"outline", outline},
+                                         {"curl", bend},
+                                         {"cup", 0.5 * bend},
+                                         {"twist", 0.3 * bend},
+                                         {"thickness", 0.001}});
+        expect_sound(mesh, "sheet");
+        EXPECT_NEAR(volume(mesh), 0.001 * area(*outline),
+                    bend == 0 ? 1e-9 : 0.001 * area(*outline));
+        const Vec3 size = bounds(mesh).size();
+        if (bend == 0) {
+            EXPECT_NEAR(size.y, 0.001F, 1e-7F);
+            EXPECT_NEAR(double(size.x), bounds(*outline).size().x, 1e-6);
+        } else {
+            EXPECT_LT(double(size.x), bounds(*outline).size().x);
+            EXPECT_GT(size.y, 0.01F);
+        }
+    }
 }
 
 TEST(Components, AreSoundAtTheirDefaults) {

@@ -274,6 +274,38 @@ TEST(Elements, StayWholeInsideOrWrapRound) {
         }
 }
 
+TEST(Elements, MayBePicturesOverABackground) {
+    const std::string folder = std::string(SCREE_SOURCE_DIR) + "/scenes/parts/pictures/";
+    Params leaf = component(circle_ring(1, 8));
+    leaf.set("shape", std::monostate{});
+    leaf.set("picture", folder + "ginkgo.svg");
+    leaf.set("size", 0.1);
+    Params params = elements(rectangle_ring(1, 2), {leaf});
+    params.set("background", folder + "paper.svg");
+    const Aggregate aggregate = bake(params);
+    EXPECT_GT(aggregate.instances.size(), 50U);
+    const Prototype& prototype = aggregate.prototypes[0];
+    ASSERT_TRUE(prototype.picture && prototype.region && prototype.mesh);
+    const Vec2 size = bounds(*prototype.region).size();
+    EXPECT_NEAR(std::max(size.x, size.y), 0.1, 1e-9);
+    ASSERT_TRUE(aggregate.background);
+    EXPECT_EQ(aggregate.background->box, bounds(*aggregate.domain));
+}
+
+TEST(Elements, DrawTheRegionWhileTheOutlineKeepsOthersAway) {
+    Params star = component(star_ring(0.05, 0.3, 5));
+    star.set("region", shared(circle_ring(0.1, 32)));
+    const Aggregate aggregate = bake(elements(rectangle_ring(3, 3), {star}));
+    EXPECT_EQ(aggregate.prototypes[0].region->rings[0].size(), 10U);
+    const double circles = signed_area(circle_ring(0.1, 32)) / 9;
+    EXPECT_NEAR(fact(aggregate, "fill"), circles * double(aggregate.instances.size()), 1e-9);
+    for (const Instance& a : aggregate.instances)
+        for (const Instance& b : aggregate.instances)
+            if (&a != &b) {
+                ASSERT_GT((position(a) - position(b)).length(), 0.2 - 1e-6);
+            }
+}
+
 TEST(Elements, AreTheSameOnAnyThreads) {
     Params params = elements(star_ring(1, 0.5, 5), {component(rectangle_ring(0.05, 0.02)),
                                                     component(circle_ring(0.015, 16))});
