@@ -22,20 +22,21 @@ local function panel(x, z, anisotropic, classes)
         d = string.format("M %.4f 0 A %.4f %.4f 0 0 1 %.4f 0 A %.4f %.4f 0 0 1 %.4f 0 Z", -a, a, b, a, a, b, -a),
         scale = radius * 0.94,
       },
-      margin = radius * 0.06 / stretch, weight = (radii[1] / radius) ^ 2,
+      margin = radius * (anisotropic and 0.08 or 0.06), weight = (radii[1] / radius) ^ 2,
       material = material.matte { color = classes == 1 and ink or dyes[i] },
     }
   end
   local half = side / 2
   local d = string.format("M %f %f H %f V %f H %f Z ", x - half, z - half, x + half, z + half, x - half)
   if anisotropic then -- in the eye of the whirl directions change too fast for ellipses
-    d = d .. string.format("M %f %f a 0.04 0.04 0 1 1 0.08 0 a 0.04 0.04 0 1 1 -0.08 0 Z", x - 0.04, z)
+    d = d .. string.format("M %f %f a 0.07 0.07 0 1 1 0.14 0 a 0.07 0.07 0 1 1 -0.14 0 Z", x - 0.07, z)
   end
   return generator.elements {
     domain = region.path { d = d, fill_rule = "evenodd", centred = false },
     inside = "whole",
     components = components,
     direction = anisotropic and field.whirl { centre = { x, z }, turn = 90 } or nil,
+    rotation = anisotropic and { -3, 3 } or nil, -- room for what the whirl turns between two
     seed = seed,
   }
 end
