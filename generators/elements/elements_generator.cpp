@@ -7,6 +7,7 @@
 #include "generators/elements/element_shapes.h"
 #include "generators/elements/elements_on_surface.h"
 #include "generators/elements/elements_specs.h"
+#include "generators/fields/plain_fields.h"
 #include "generators/layout/prototypes.h"
 #include "generators/located.h"
 #include "generators/sampling/region_shapes.h"
@@ -25,6 +26,15 @@ using Clock = std::chrono::steady_clock;
 
 std::shared_ptr<const Field> field_of(const Params& params, const char* name) {
     return params.has(name) ? params.field(name) : nullptr;
+}
+
+/// What multiplies the distances: the elements' scale and their spacing.
+std::shared_ptr<const Field> distance_scale(const Params& params) {
+    const std::shared_ptr<const Field> scale = field_of(params, "scale_by");
+    const std::shared_ptr<const Field> spacing = field_of(params, "spacing_by");
+    return scale && spacing ? std::make_shared<const ProductField>(scale, spacing)
+           : scale          ? scale
+                            : spacing;
 }
 
 /// The domain less what is too near to its border for the farthest-reaching element.
@@ -64,7 +74,7 @@ PoissonDiskProblem problem_from(const Params& params, const std::vector<ElementS
         .torus = torus,
         .classes = disk_classes(params, shapes),
         .direction = field_of(params, "direction"),
-        .scale = field_of(params, "scale_by"),
+        .scale = distance_scale(params),
         .seed = static_cast<std::uint64_t>(params.integer("seed")),
         .relax = static_cast<int>(params.integer("relax")),
         .kept = {},
@@ -91,7 +101,7 @@ std::vector<Instance> instances_of(const std::vector<DiskSample>& samples,
 
 /// `fill_with_margin` counts the halves of the ellipses, which are what does not overlap when all
 /// elements point the same way. Evenly mixed classes of given sizes come nearer to each other than
-/// to their own kind, so that there it means nothing and is left out.
+/// to their own kind, so that there it means nothing and is left out; as where the spacing varies.
 Facts facts_of(const Params& params, const std::vector<ElementShape>& shapes,
                const PoissonDiskSet& set, const std::vector<std::uint32_t>& components) {
     double bare = 0, exclusive = 0;
@@ -103,7 +113,9 @@ Facts facts_of(const Params& params, const std::vector<ElementShape>& shapes,
     }
     const double domain = area(*params.region("domain"));
     Facts facts{{"count", double(set.samples.size())}, {"fill", bare / domain}};
-    if (shapes.size() == 1 || params.text("mix") == "random" || !shapes.front().sized)
+    const bool overlap_within =
+        shapes.size() > 1 && params.text("mix") == "even" && shapes.front().sized;
+    if (!overlap_within && !params.has("spacing_by"))
         facts.emplace_back("fill_with_margin", exclusive / domain);
     facts.emplace_back("trials", double(set.trials));
     facts.emplace_back("unresolved", double(set.unresolved));
@@ -134,9 +146,13 @@ Aggregate bake_elements(const Params& params, const Context& context) {
         return bake_on_surface(params, shapes, context);
     const PoissonDiskProblem problem = problem_from(params, shapes);
     const auto sampling_start = Clock::now();
-    const PoissonDiskSet set =
+    PoissonDiskSet set =
         located(params, "torus", [&] { return sample_poisson_disks(problem, context); });
     const std::chrono::duration<double> sampling = Clock::now() - sampling_start;
+    if (params.has("spacing_by"))
+        for (DiskSample& sample : set.samples)
+            sample.scale =
+                params.has("scale_by") ? params.field("scale_by")->at(sample.position) : 1;
     std::vector<std::uint32_t> classes;
     for (const DiskSample& sample : set.samples)
         classes.push_back(sample.disk_class);

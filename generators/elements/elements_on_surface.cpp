@@ -14,7 +14,7 @@ namespace scree {
 namespace {
 
 void check_params(const Params& params) {
-    for (const char* name : {"direction", "scale_by", "background"})
+    for (const char* name : {"direction", "scale_by", "spacing_by", "background"})
         if (params.has(name))
             throw params.error(name, "lies on the ground, but the elements stand on a surface");
     if (params.flag("torus"))

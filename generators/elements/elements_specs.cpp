@@ -125,6 +125,13 @@ std::vector<ParamSpec> elements_specs() {
          .optional = true,
          .min = 1e-6,
          .max = 1e6},
+        {.name = "spacing_by",
+         .type = ParamType::field,
+         .doc = "Multiplies the distances alone, by place: how far apart the elements stand; below "
+                "1 they may overlap.",
+         .optional = true,
+         .min = 1e-3,
+         .max = 1e6},
         {.name = "relax",
          .type = ParamType::integer,
          .doc = "Steps in which the elements push each other apart, for the most even spread; 30 "

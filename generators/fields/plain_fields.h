@@ -4,6 +4,9 @@
 
 #include "core/field.h"
 
+#include <memory>
+#include <utility>
+
 namespace scree {
 
 /// The same value everywhere: what a plain number means where a field is asked for.
@@ -15,6 +18,23 @@ class ConstantField final : public Field {
 
   private:
     double value_;
+};
+
+/// The product of two fields of which neither is below 0.
+class ProductField final : public Field {
+  public:
+    ProductField(std::shared_ptr<const Field> a, std::shared_ptr<const Field> b)
+        : a_(std::move(a)), b_(std::move(b)) {}
+    double at(const Vec2& point) const override { return a_->at(point) * b_->at(point); }
+    Range over(const Box2& box) const override {
+        const Range a = a_->over(box);
+        const Range b = b_->over(box);
+        return {a.low * b.low, a.high * b.high};
+    }
+
+  private:
+    std::shared_ptr<const Field> a_;
+    std::shared_ptr<const Field> b_;
 };
 
 /// A ramp from `values.low` at `from` to `values.high` at `to`, constant beyond both; across the

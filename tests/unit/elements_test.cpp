@@ -225,6 +225,31 @@ TEST(Elements, MixEvenlyByShareOrAtRandomByWeight) {
     }
 }
 
+TEST(Elements, StandFartherApartWhereTheSpacingSays) {
+    const auto ramp = [](double low, double high) -> std::shared_ptr<const Field> {
+        return std::make_shared<GradientField>(Vec2(-1, 0), Vec2(1, 0), Range{low, high}, false);
+    };
+    Params params = elements(rectangle_ring(2, 1), {component(circle_ring(0.01, 32))});
+    params.set("spacing_by", ramp(1, 4));
+    params.set("scale_by", ramp(1, 2));
+    const Aggregate aggregate = bake(params);
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < aggregate.instances.size(); ++i) {
+        const Instance& a = aggregate.instances[i];
+        const auto grown = [](const Instance& instance) { return (position(instance).x + 1) / 2; };
+        EXPECT_NEAR(a.scale, 1 + grown(a), 1e-5);
+        left += position(a).x < 0 ? 1 : 0;
+        for (std::size_t j = 0; j < i; ++j) {
+            const Instance& b = aggregate.instances[j];
+            const double least =
+                0.02 * std::max(a.scale * (1 + 3 * grown(a)), b.scale * (1 + 3 * grown(b)));
+            EXPECT_GT((position(a) - position(b)).length(), least * (1 - 1e-5));
+        }
+    }
+    // The density falls as 1 / (scale * spacing)^2: by 4.3 from the left half to the right.
+    EXPECT_GT(double(left), 3 * double(aggregate.instances.size() - left));
+}
+
 TEST(Elements, GivenSizesAreUsedAsTheyAre) {
     Params given = component(circle_ring(0.01, 16));
     given.set("length", 0.2);
