@@ -105,7 +105,7 @@ Cells::Cells(const PoissonDiskProblem& problem)
     for (std::uint32_t k = 0; k < metric_.class_count(); ++k) {
         const DiskClass& c = metric_.at(k);
         symmetric_ = symmetric_ && metric_.is_round(k);
-        density_.push_back(1 / (c.length * c.width));
+        density_.push_back(metric_.dart_density(k));
         if (!problem.direction && !problem.scale && c.turn.low == c.turn.high)
             constant_.push_back(metric_.form(k, c.turn.low, 1));
     }
@@ -157,7 +157,6 @@ Cells::Part Cells::part_of(const ConvexPiece& piece, std::uint32_t disk_class) c
     return part;
 }
 
-// Classes get darts in proportion to how many samples they should have.
 double Cells::rate(const Part& part) const {
     const Range& turn = metric_.at(part.disk_class).turn;
     const double whole = turn.high - turn.low;

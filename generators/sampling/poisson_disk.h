@@ -55,10 +55,10 @@ struct PoissonDiskSet {
 /// A maximal set: no two samples conflict, and no sample of any class could be added, except in
 /// `unresolved` places, each narrower than 1e-9 of the ellipse there, or than 1e-3 where a field
 /// jumps. Up to rounding it is distributed as if darts had been thrown one by one for ever (random
-/// sequential adsorption), uniformly over the domain and on each class in inverse proportion to its
-/// ellipse. Relaxed sets (`relax_disks`) are just as free of conflicts and as maximal, but more
-/// even. Throws Cancelled, and Error for a torus that is narrower than four times the longest
-/// reach.
+/// sequential adsorption), uniformly over the domain; each class gets darts in proportion to the
+/// square of its ellipse's area. Relaxed sets (`relax_disks`) are just as free of conflicts and as
+/// maximal, but more even. Throws Cancelled, and Error for a torus that is narrower than four times
+/// the longest reach.
 PoissonDiskSet sample_poisson_disks(const PoissonDiskProblem& problem, const Context& context);
 
 /// Distances between centres of classes, row by row: `distances[i]` on the diagonal, and between

@@ -144,8 +144,8 @@ TEST(PoissonDisk, OnAStripIsTheParkingProblem) {
     EXPECT_LT(mean_of(many).error, 3);
 }
 
-/// Where there is room for one, it lies anywhere, and is of a class with a probability in inverse
-/// proportion to the area that its samples take.
+/// Where there is room for one, it lies anywhere, and is of a class with a probability in proportion
+/// to the square of the area that its samples take.
 TEST(PoissonDisk, ASampleAloneLiesAnywhere) {
     // An L of three unit squares, which a grid cuts anyhow; all of it lies within the distances.
     constexpr double s = 0.1;
@@ -174,7 +174,7 @@ TEST(PoissonDisk, ASampleAloneLiesAnywhere) {
     EXPECT_LT(chi_square_excess(cells), 4.5); // by chance once in 10,000
     std::vector<double> shares;
     for (const DiskClass& c : problem.classes)
-        shares.push_back(1 / (c.length * c.width));
+        shares.push_back(c.length * c.width * c.length * c.width);
     EXPECT_LT(chi_square_excess(classes, shares), 8); // two degrees of freedom have a long tail
     EXPECT_LT(chi_square_excess(turns), 5);
 }
