@@ -6,6 +6,7 @@
 #include "generators/sampling/disk_metric.h"
 #include "generators/sampling/leaf_cells.h"
 #include "generators/sampling/local_clock.h"
+#include "generators/sampling/timed_parts.h"
 
 #include <bit>
 #include <cstring>
@@ -14,10 +15,10 @@ namespace scree {
 
 namespace {
 
-// Each cell throws darts at times of a Poisson process whose rate is the measure of the places,
-// classes and turns in which it may still succeed: at first the whole cell for each class; after a
-// miss parts, convex pieces for one class and a range of turns, which shrink with each further miss
-// to what the samples near may leave uncovered.
+// Each cell throws darts at times of Poisson processes whose rates are the measure of the places,
+// classes and turns in which they may still succeed: at first one for the whole cell and all
+// classes; after a miss one for each part, a convex piece for one class and a range of turns, which
+// shrinks with each further miss to what the samples near may leave uncovered.
 class Cells {
   public:
     Cells(const PoissonDiskProblem& problem);
@@ -30,7 +31,7 @@ class Cells {
     PoissonDiskSet result() const;
 
   private:
-    static constexpr std::int32_t nothing = -1;
+    static constexpr std::int32_t nothing = -1; // no sample
 
     struct Part {
         ConvexPiece piece;
@@ -39,8 +40,8 @@ class Cells {
         std::uint32_t disk_class = 0;
         Range turn;
         DiskMetric::Bounds bounds; // over the piece or a box around it, without turn
-        std::int32_t next = nothing;
     };
+    using Parts = TimedParts<Part>;
     struct Placed {
         DiskSample sample;
         QuadraticForm form;
@@ -58,22 +59,20 @@ class Cells {
     double rate(const Part& part) const;
     void add_kept(const DiskSample& sample);
     void place(std::uint32_t c, const DiskSample& sample, const QuadraticForm& form);
-    void end_covered(std::uint32_t c, float now, bool is_own_time_set);
+    void end_covered(std::uint32_t c, float now);
     void end_whole(std::uint32_t c, std::uint32_t ended, float now);
     void gather_near(std::uint32_t c);
     bool is_free(const DiskSample& sample, const QuadraticForm& form) const;
     QuadraticForm own_form(const Part& part) const;
     bool cut(Part& part) const;
-    void keep_uncovered(std::uint32_t c, const Part& part);
+    void keep_uncovered(std::uint32_t c, const Part& part, Random& random);
     bool is_unresolved(const Part& part) const;
     std::array<Part, 2> split(const Part& part) const;
-    Part take_chosen(std::uint32_t c, double chosen);
-    void add_part(std::uint32_t c, const Part& part);
-    Part take_part(std::uint32_t c, double chosen);
+    void add_part(std::uint32_t c, const Part& part, double exponential);
+    Part take_whole(std::uint32_t c, Random& random);
     void cut_parts(std::uint32_t c);
     double measure_whole(std::uint32_t c) const;
-    double measure_left(std::uint32_t c) const;
-    void set_time(std::uint32_t c, float time, double exponential);
+    void update_time(std::uint32_t c);
 
     DiskMetric metric_;
     LeafCells leaves_;
@@ -82,11 +81,13 @@ class Cells {
     bool symmetric_; // whether a conflicts with b just where b's ellipse holds a: all are disks
     std::vector<double> density_;         // rate per area of each class
     std::vector<QuadraticForm> constant_; // form of each class where it is the same everywhere
-    std::vector<float> time_;
+    float now_ = 0;                       // while an event happens, its time
+    std::vector<float>
+        time_; // of the next dart: the earlier of that for the whole cell and of parts
     std::vector<std::uint32_t> whole_; // a bit for each class of which nothing is known yet
-    std::vector<std::int32_t> part_of_;
-    std::vector<Part> parts_; // of all cells, as lists
-    std::int32_t unused_ = nothing;
+    std::vector<float> whole_time_;
+    std::vector<Parts::Root> part_of_;
+    Parts parts_;
     std::vector<std::int32_t> sample_of_;
     std::vector<Placed> placed_;
     std::size_t kept_ = 0;   // of placed_, the first
@@ -114,7 +115,8 @@ Cells::Cells(const PoissonDiskProblem& problem)
     const std::uint32_t n = leaves_.count();
     time_.assign(n, never);
     whole_.assign(n, 0);
-    part_of_.assign(n, nothing);
+    whole_time_.assign(n, never);
+    part_of_.assign(n, Parts::none);
     sample_of_.assign(n, nothing);
     for (std::uint32_t c = 0; c < n; ++c)
         start(c);
@@ -127,22 +129,24 @@ Cells::Cells(const PoissonDiskProblem& problem)
 void Cells::start(std::uint32_t c) {
     const auto classes = static_cast<std::uint32_t>(metric_.class_count());
     const bool is_whole = leaves_.is_whole(c);
-    if (is_whole)
+    Random random(seed_, Purpose::disk_start, c);
+    if (is_whole) {
         whole_[c] = classes < 32 ? (1U << classes) - 1 : ~0U;
+        whole_time_[c] = after(0, random.exponential() / measure_whole(c));
+    }
     for (std::uint32_t k = is_whole ? 32 : 0; k < classes; ++k) {
         if (is_whole)
-            add_part(c, part_of(leaves_.square(c), k));
+            add_part(c, part_of(leaves_.square(c), k), random.exponential());
         for (const ConvexPiece& piece : leaves_.pieces(c))
-            add_part(c, part_of(piece, k));
+            add_part(c, part_of(piece, k), random.exponential());
     }
-    if (whole_[c] == 0 && part_of_[c] == nothing)
-        return;
-    set_time(c, 0, Random(seed_, Purpose::disk_start, c).exponential());
+    update_time(c);
 }
 
-void Cells::set_time(std::uint32_t c, float time, double exponential) {
-    const double left = measure_left(c);
-    time_[c] = left > 0 ? after(time, exponential / left) : never;
+void Cells::update_time(std::uint32_t c) {
+    time_[c] = whole_time_[c];
+    if (part_of_[c] != Parts::none)
+        time_[c] = std::min(time_[c], parts_.time(part_of_[c]));
 }
 
 Cells::Part Cells::part_of(const ConvexPiece& piece, std::uint32_t disk_class) const {
@@ -167,7 +171,7 @@ double Cells::rate(const Part& part) const {
 void Cells::add_kept(const DiskSample& sample) {
     if (const auto c = leaves_.leaf_at(sample.position)) {
         place(*c, sample, metric_.form(sample.disk_class, sample.angle, sample.scale));
-        end_covered(*c, 0, false);
+        end_covered(*c, 0);
     }
 }
 
@@ -179,9 +183,8 @@ void Cells::place(std::uint32_t c, const DiskSample& sample, const QuadraticForm
 }
 
 // Ends classes in the cells near that the sample covers whole: most will never throw a dart.
-// What is left waits as much longer as its measure is smaller: waits have no memory. The cell's own
-// wait begins anew where its own time is about to be set.
-void Cells::end_covered(std::uint32_t c, float now, bool is_own_time_set) {
+// What is left waits as much longer as its measure is smaller: waits have no memory.
+void Cells::end_covered(std::uint32_t c, float now) {
     const Placed& placed = placed_.back();
     const std::uint32_t o = placed.sample.disk_class;
     leaves_.for_runs_near(c, [&](std::uint32_t first, std::uint32_t last) {
@@ -203,23 +206,18 @@ void Cells::end_covered(std::uint32_t c, float now, bool is_own_time_set) {
                 if (farthest < metric_.limit(o, k) * (1 - doubt_))
                     ended |= 1U << k;
             }
-            if (ended == 0 || (i == c && is_own_time_set))
-                whole_[i] &= ~ended;
-            else
+            if (ended != 0)
                 end_whole(i, ended, now);
         }
     });
 }
 
 void Cells::end_whole(std::uint32_t c, std::uint32_t ended, float now) {
-    if (whole_[c] == ended && part_of_[c] == nothing) {
-        whole_[c] = 0;
-        time_[c] = never;
-        return;
-    }
-    const double before = measure_left(c);
+    const double before = measure_whole(c);
     whole_[c] &= ~ended;
-    time_[c] = after(now, (double(time_[c]) - double(now)) * before / measure_left(c));
+    const double wait = double(whole_time_[c]) - double(now);
+    whole_time_[c] = whole_[c] == 0 ? never : after(now, wait * before / measure_whole(c));
+    update_time(c);
 }
 
 std::uint32_t Cells::earliest_near(std::uint32_t c) const {
@@ -370,14 +368,14 @@ std::array<Cells::Part, 2> Cells::split(const Part& part) const {
     return result;
 }
 
-void Cells::keep_uncovered(std::uint32_t c, const Part& part) {
+void Cells::keep_uncovered(std::uint32_t c, const Part& part, Random& random) {
     Part left = part;
     if (!cut(left))
         return;
     if (is_unresolved(left)) {
         ++unresolved_;
     } else if (left.measure < part.measure / 2) {
-        add_part(c, left);
+        add_part(c, left, random.exponential());
     } else {
         for (Part& half : split(left)) {
             if (half.piece.count < 3)
@@ -385,38 +383,14 @@ void Cells::keep_uncovered(std::uint32_t c, const Part& part) {
             if (constant_.empty())
                 half.bounds = metric_.over(bounds(half.piece));
             if (cut(half))
-                add_part(c, half);
+                add_part(c, half, random.exponential());
         }
     }
 }
 
-void Cells::add_part(std::uint32_t c, const Part& part) {
-    std::int32_t slot = unused_;
-    if (slot == nothing) {
-        slot = static_cast<std::int32_t>(parts_.size());
-        parts_.emplace_back();
-    } else {
-        unused_ = parts_[std::size_t(slot)].next;
-    }
-    parts_[std::size_t(slot)] = part;
-    parts_[std::size_t(slot)].next = part_of_[c];
-    part_of_[c] = slot;
-}
-
-// The part in which a number in [0, measure_left) falls, taken out of the cell's list.
-Cells::Part Cells::take_part(std::uint32_t c, double chosen) {
-    std::int32_t* link = &part_of_[c];
-    while (parts_[std::size_t(*link)].next != nothing &&
-           chosen >= parts_[std::size_t(*link)].measure) {
-        chosen -= parts_[std::size_t(*link)].measure;
-        link = &parts_[std::size_t(*link)].next;
-    }
-    const std::int32_t slot = *link;
-    const Part taken = parts_[std::size_t(slot)];
-    *link = taken.next;
-    parts_[std::size_t(slot)].next = unused_;
-    unused_ = slot;
-    return taken;
+void Cells::add_part(std::uint32_t c, const Part& part, double exponential) {
+    if (part.measure > 0)
+        parts_.add(part_of_[c], part, after(now_, exponential / part.measure));
 }
 
 double Cells::measure_whole(std::uint32_t c) const {
@@ -427,20 +401,10 @@ double Cells::measure_whole(std::uint32_t c) const {
     return size.x * size.y * density;
 }
 
-double Cells::measure_left(std::uint32_t c) const {
-    double sum = measure_whole(c);
-    for (std::int32_t i = part_of_[c]; i != nothing; i = parts_[std::size_t(i)].next)
-        sum += parts_[std::size_t(i)].measure;
-    return sum;
-}
-
-// Where a number in [0, measure_left) falls, taken from what the cell has left.
-Cells::Part Cells::take_chosen(std::uint32_t c, double chosen) {
-    const double whole = measure_whole(c);
-    if (part_of_[c] != nothing && chosen >= whole) {
-        return take_part(c, chosen - whole);
-    }
+// The whole cell for one of its classes, chosen by their rates; the others wait anew.
+Cells::Part Cells::take_whole(std::uint32_t c, Random& random) {
     const Vec2 size = leaves_.size(c);
+    double chosen = random.bits() * 0x1p-32 * measure_whole(c);
     std::uint32_t k = 0;
     for (std::uint32_t bits = whole_[c]; bits != 0; bits &= bits - 1) {
         k = static_cast<std::uint32_t>(std::countr_zero(bits));
@@ -450,39 +414,35 @@ Cells::Part Cells::take_chosen(std::uint32_t c, double chosen) {
         chosen -= measure;
     }
     whole_[c] &= ~(1U << k);
+    whole_time_[c] = whole_[c] == 0 ? never : after(now_, random.exponential() / measure_whole(c));
     return part_of(leaves_.square(c), k);
 }
 
 // What a new sample leaves of the cell's parts.
 void Cells::cut_parts(std::uint32_t c) {
-    std::int32_t i = part_of_[c];
-    part_of_[c] = nothing;
-    while (i != nothing) {
-        Part part = parts_[std::size_t(i)];
-        parts_[std::size_t(i)].next = unused_;
-        unused_ = i;
-        i = part.next;
-        if (cut(part))
-            add_part(c, part);
-    }
+    parts_.filter(part_of_[c], [&](Part& part, float& time) {
+        const double before = part.measure;
+        if (!cut(part) || !(part.measure > 0))
+            return false;
+        time = after(now_, (double(time) - double(now_)) * before / part.measure);
+        return true;
+    });
 }
 
 void Cells::happen(std::uint32_t c) {
     ++trials_;
-    const float time = time_[c];
+    now_ = time_[c];
     Random random(seed_, Purpose::disk_dart,
-                  std::uint64_t{c} << 32 | std::bit_cast<std::uint32_t>(time));
-    const auto uniform = [&] { return random.bits() * 0x1p-32; };
-    const Part part = take_chosen(c, uniform() * measure_left(c));
-    const double u = uniform();
-    const double v = uniform();
-    const double exponential = random.exponential();
+                  std::uint64_t{c} << 32 | std::bit_cast<std::uint32_t>(now_));
+    const Part part = whole_time_[c] == now_ ? take_whole(c, random) : parts_.take(part_of_[c]);
+    const double u = random.bits() * 0x1p-32;
+    const double v = random.bits() * 0x1p-32;
     DiskSample sample;
     sample.position = point_in(part.piece, part.area, u, v);
     sample.disk_class = part.disk_class;
     sample.angle = metric_.angle_at(sample.position) + part.turn.low;
     if (part.turn.high > part.turn.low)
-        sample.angle += (part.turn.high - part.turn.low) * uniform();
+        sample.angle += (part.turn.high - part.turn.low) * (random.bits() * 0x1p-32);
     sample.scale = metric_.scale_at(sample.position);
     const QuadraticForm form = constant_.empty()
                                    ? metric_.form(sample.disk_class, sample.angle, sample.scale)
@@ -490,12 +450,12 @@ void Cells::happen(std::uint32_t c) {
     gather_near(c);
     if (is_free(sample, form)) {
         place(c, sample, form);
-        end_covered(c, time, true);
+        end_covered(c, now_);
         near_.push_back({sample.position, static_cast<std::uint32_t>(placed_.size()) - 1});
         cut_parts(c);
     }
-    keep_uncovered(c, part);
-    set_time(c, time, exponential);
+    keep_uncovered(c, part, random);
+    update_time(c);
 }
 
 PoissonDiskSet Cells::result() const {

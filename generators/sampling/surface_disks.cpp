@@ -6,6 +6,7 @@
 #include "generators/sampling/local_clock.h"
 #include "generators/sampling/poisson_disk.h"
 #include "generators/sampling/surface_cells.h"
+#include "generators/sampling/timed_parts.h"
 
 #include <fmt/format.h>
 
@@ -35,6 +36,7 @@ class Cells {
         std::uint32_t triangle = 0;
         std::uint32_t disk_class = 0;
     };
+    using Parts = TimedParts<Part>;
 
     double limit2(std::uint32_t a, std::uint32_t b) const {
         const double distance = distances_[a * classes_ + b];
@@ -45,16 +47,19 @@ class Cells {
     }
     bool is_free(std::uint32_t c, const SurfaceSample& sample) const;
     bool cut(std::uint32_t c, Part& part) const;
-    void keep_uncovered(std::uint32_t c, const Part& part);
-    double measure_left(std::uint32_t c) const;
+    void keep_uncovered(std::uint32_t c, const Part& part, Random& random);
+    void add_part(std::uint32_t c, const Part& part, double exponential);
+    void update_time(std::uint32_t c);
 
     SurfaceCells surface_;
     std::size_t classes_;
     std::vector<double> distances_; // of class_distances
     double doubt_;                  // [m] that rounding may add to or take from a distance
     std::uint64_t seed_;
+    float now_ = 0; // while an event happens, its time
     std::vector<float> time_;
-    std::vector<std::vector<Part>> parts_; // of each cell
+    std::vector<Parts::Root> part_of_;
+    Parts parts_;
     std::vector<std::vector<SurfaceSample>> samples_;
     std::uint64_t trials_ = 0;
     std::uint64_t unresolved_ = 0;
@@ -73,15 +78,25 @@ Cells::Cells(const SurfaceDiskProblem& problem)
         largest = std::max(largest, std::abs(double(v)));
     doubt_ = 0x1p-46 * largest;
     time_.assign(count(), never);
-    parts_.resize(count());
+    part_of_.assign(count(), Parts::none);
     samples_.resize(count());
     for (std::uint32_t c = 0; c < count(); ++c) {
+        Random random(seed_, Purpose::disk_start, c);
         for (const SurfacePiece& piece : surface_.pieces(c))
             for (std::uint32_t k = 0; k < classes_; ++k)
-                parts_[c].push_back({piece.piece, area(piece.piece), piece.triangle, k});
-        if (const double measure = measure_left(c); measure > 0)
-            time_[c] = after(0, Random(seed_, Purpose::disk_start, c).exponential() / measure);
+                add_part(c, {piece.piece, area(piece.piece), piece.triangle, k},
+                         random.exponential());
+        update_time(c);
     }
+}
+
+void Cells::add_part(std::uint32_t c, const Part& part, double exponential) {
+    if (part.area > 0)
+        parts_.add(part_of_[c], part, after(now_, exponential / rate(part)));
+}
+
+void Cells::update_time(std::uint32_t c) {
+    time_[c] = part_of_[c] == Parts::none ? never : parts_.time(part_of_[c]);
 }
 
 std::uint32_t Cells::earliest_near(std::uint32_t c) const {
@@ -127,7 +142,7 @@ bool Cells::cut(std::uint32_t c, Part& part) const {
     return true;
 }
 
-void Cells::keep_uncovered(std::uint32_t c, const Part& part) {
+void Cells::keep_uncovered(std::uint32_t c, const Part& part, Random& random) {
     Part left = part;
     if (!cut(c, left))
         return;
@@ -136,50 +151,41 @@ void Cells::keep_uncovered(std::uint32_t c, const Part& part) {
     if (std::max(size.x, size.y) < least || left.area < least * least) {
         ++unresolved_;
     } else if (left.area < part.area / 2) {
-        parts_[c].push_back(left);
+        add_part(c, left, random.exponential());
     } else {
         for (const ConvexPiece& piece : halves(left.piece)) {
             Part half = left;
             half.piece = piece;
             if (piece.count >= 3 && cut(c, half))
-                parts_[c].push_back(half);
+                add_part(c, half, random.exponential());
         }
     }
 }
 
-double Cells::measure_left(std::uint32_t c) const {
-    double sum = 0;
-    for (const Part& part : parts_[c])
-        sum += rate(part);
-    return sum;
-}
-
 void Cells::happen(std::uint32_t c) {
     ++trials_;
-    const float time = time_[c];
+    now_ = time_[c];
     Random random(seed_, Purpose::disk_dart,
-                  std::uint64_t{c} << 32 | std::bit_cast<std::uint32_t>(time));
-    std::vector<Part>& parts = parts_[c];
-    double chosen = random.uniform() * measure_left(c);
-    std::size_t i = 0;
-    while (i + 1 < parts.size() && chosen >= rate(parts[i]))
-        chosen -= rate(parts[i++]);
-    const Part part = parts[i];
-    parts[i] = parts.back();
-    parts.pop_back();
-    const double u = random.uniform();
-    const double v = random.uniform();
+                  std::uint64_t{c} << 32 | std::bit_cast<std::uint32_t>(now_));
+    const Part part = parts_.take(part_of_[c]);
+    const double u = random.bits() * 0x1p-32;
+    const double v = random.bits() * 0x1p-32;
     const TrianglePlane& plane = surface_.plane(part.triangle);
     const SurfaceSample sample{plane.at(point_in(part.piece, part.area, u, v)), Vec3(plane.normal),
                                part.triangle, part.disk_class};
-    const bool is_new = is_free(c, sample);
-    if (is_new)
+    if (is_free(c, sample)) {
         samples_[c].push_back(sample);
-    keep_uncovered(c, part);
-    if (is_new)
-        std::erase_if(parts, [&](Part& other) { return !cut(c, other); });
-    const double left = measure_left(c);
-    time_[c] = left > 0 ? after(time, random.exponential() / left) : never;
+        // It covers most of what the cell has left; the rest waits as much longer as it is smaller.
+        parts_.filter(part_of_[c], [&](Part& other, float& time) {
+            const double before = other.area;
+            if (!cut(c, other) || !(other.area > 0))
+                return false;
+            time = after(now_, (double(time) - double(now_)) * before / other.area);
+            return true;
+        });
+    }
+    keep_uncovered(c, part, random);
+    update_time(c);
 }
 
 SurfaceDiskSet Cells::result() const {

@@ -92,7 +92,21 @@ void expect_flat_anisotropy(const Spectrum& spectrum) {
         sum += ratio * n;
         count += n;
     }
-    EXPECT_NEAR(10 * std::log10(sum / count / sets), -10, 0.15); // [dB]
+    EXPECT_NEAR(sum / count, 1, 4 * std::sqrt((2 + 6.0 / sets) / count) + 0.02);
+}
+
+/// Of all annuli [dB].
+double mean_anisotropy(const Spectrum& spectrum) {
+    double sum = 0;
+    double count = 0;
+    for (std::size_t k = 0; k < spectrum.radial.power.size(); ++k) {
+        const double n = double(spectrum.radial.count[k]);
+        if (n < 20)
+            continue;
+        sum += std::pow(10, spectrum.radial.anisotropy_db[k] / 10) * n;
+        count += n;
+    }
+    return 10 * std::log10(sum / count);
 }
 
 /// Low power at low frequencies, as a share of the plateau at high ones.
@@ -121,18 +135,23 @@ TEST(PoissonSpectra, OfEllipsesOfOneDirectionAreThoseOfDisksWhenStretched) {
 }
 
 TEST(PoissonSpectra, OfClassesAreBlueEachAndTogether) {
-    const auto all = ten_sets(problem_of(Mode::multi_class, square_domain(1), 0.02, 0));
-    for (int k = -1; k < 4; ++k) {
-        const Spectrum spectrum = spectrum_of(all, k);
-        RecordProperty("low_power_" + std::to_string(k), std::to_string(low_power(spectrum)));
-        RecordProperty("lowest_power_" + std::to_string(k),
-                       std::to_string(mean_power(spectrum, 0, 0.3)));
-        // Each class is kept from being even by the others, and all by the distances of each: it
-        // is 0.2 (0.13 to 0.23) where one class alone has 0.07.
-        EXPECT_LT(low_power(spectrum), 0.25) << k;
-        EXPECT_LT(mean_power(spectrum, 0, 0.3), 0.17) << k;
-        EXPECT_GT(first_peak(spectrum), 1.0);
-        expect_flat_anisotropy(spectrum);
+    PoissonDiskProblem problem = problem_of(Mode::multi_class, square_domain(1), 0.02, 0);
+    for (const int relax : {0, 50}) {
+        problem.relax = relax;
+        const auto all = ten_sets(problem);
+        for (int k = -1; k < 4; ++k) {
+            const Spectrum spectrum = spectrum_of(all, k);
+            const std::string name = std::to_string(relax) + "_" + std::to_string(k);
+            RecordProperty("low_power_" + name, std::to_string(low_power(spectrum)));
+            // As darts fall each class is kept from being even by the others, and all by the
+            // distances of each: 0.13 to 0.26, where one class alone has 0.07.
+            EXPECT_LT(low_power(spectrum), relax > 0 ? 0.1 : 0.3) << name;
+            EXPECT_GT(first_peak(spectrum), 0.9) << name;
+            if (relax == 0)
+                expect_flat_anisotropy(spectrum);
+            else // a little order remains of the few neighbours in the torus
+                EXPECT_LT(std::abs(mean_anisotropy(spectrum) + 10), 1) << name;
+        }
     }
 }
 
