@@ -2,7 +2,7 @@
 // The tables of generator.elements: points per second on one core against their number, how many of
 // a million random darts still fit, small sets and refilled holes, table 1 of Kita & Miyata (2012),
 // and other programs that do the same. CPU seconds of the whole process, medians of five, or of as
-// many as take less than half a minute.
+// many as take less than 12 s.
 //   elements_bench [modes|small|table|peers ...]     all unless named
 #include "bench/peers.h"
 #include "core/parallel.h"
@@ -118,7 +118,7 @@ void print_modes() {
             PoissonDiskProblem problem;
             PoissonDiskSet set;
             for (std::uint64_t seed = 1;
-                 seed <= 5 && (seconds.empty() || seconds.back() * double(seed) < 30); ++seed) {
+                 seed <= 5 && (seconds.empty() || seconds.back() * double(seed) < 12); ++seed) {
                 problem = problem_of(kind, size, seed);
                 seconds.push_back(cpu_seconds_of([&] { set = sample_poisson_disks(problem, {}); }));
             }
