@@ -74,7 +74,9 @@ void expect_maximal(const PoissonDiskProblem& problem, const std::vector<DiskSam
     EXPECT_EQ(insertion.fitted, 0U);
     EXPECT_EQ(insertion.reached, 0U)
         << "of " << insertion.climbs << ", up to " << insertion.highest;
-    EXPECT_GT(insertion.climbs, 20U);
+    if (problem.relax == 0) { // relaxed ones leave few places that nearly have room
+        EXPECT_GT(insertion.climbs, 20U);
+    }
     if (is_round(problem)) {
         EXPECT_EQ(bare_vertices_of(set), 0U);
         if (problem.classes.size() == 1) {
@@ -139,6 +141,16 @@ TEST_P(PoissonExactModes, WithAFieldOfScales) {
     expect_maximal(problem, filled(problem), 300000);
     problem.torus = true;
     expect_maximal(problem, filled(problem), 300000);
+}
+
+TEST_P(PoissonExactModes, RelaxedSetsToo) {
+    for (const bool torus : {false, true}) {
+        PoissonDiskProblem problem =
+            problem_of(GetParam(), torus ? square_domain(1) : pierced_domain(), size, 9);
+        problem.torus = torus;
+        problem.relax = 5;
+        expect_maximal(problem, filled(problem));
+    }
 }
 
 TEST_P(PoissonExactModes, AHoleIsFilledAgainAndNothingElse) {
@@ -221,7 +233,7 @@ TEST(PoissonExactItself, SeesOneSampleLessAndOneMoved) {
                 std::vector<DiskSample> less = samples;
                 less.erase(less.begin() + std::ptrdiff_t(removed));
                 const DiskSet set(problem, less);
-                const Insertion insertion = try_to_insert(set, 4 * darts, removed);
+                const Insertion insertion = try_to_insert(set, 3 * darts, removed);
                 EXPECT_GT(insertion.fitted + insertion.reached, 0U) << name_of(mode);
                 EXPECT_GE(insertion.highest, 1);
                 if (is_round(mode)) {
