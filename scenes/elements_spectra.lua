@@ -33,6 +33,7 @@ for i, mode in ipairs(modes) do
     torus = true,
     components = components,
     direction = mode.whirl and field.whirl { centre = { x, z }, turn = 70 } or nil,
+    relax = arg("relax", 0),
     seed = arg("seed", 1),
   }
 end

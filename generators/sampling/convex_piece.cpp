@@ -37,8 +37,10 @@ void keep_left(ConvexPiece& piece, const Vec2& point, const Vec2& direction) {
 }
 
 std::array<ConvexPiece, 2> halves(const ConvexPiece& piece) {
-    if (piece.count > ConvexPiece::capacity / 2) {
-        const int middle = piece.count / 2; // along a diagonal, so that corners become fewer
+    // Where corners run out along a diagonal, so that they become fewer. Not earlier: it may leave
+    // one half as large as the piece.
+    if (piece.count >= ConvexPiece::capacity - 1) {
+        const int middle = piece.count / 2;
         std::array<ConvexPiece, 2> result;
         for (int i = 0; i <= middle; ++i)
             result[0].add(piece[i]);

@@ -144,8 +144,8 @@ TEST(PoissonDisk, OnAStripIsTheParkingProblem) {
     EXPECT_LT(mean_of(many).error, 3);
 }
 
-/// Where there is room for one, it lies anywhere, and is of a class with a probability in proportion
-/// to the square of the area that its samples take.
+/// Where there is room for one, it lies anywhere, and is of a class with a probability in
+/// proportion to the square of the area that its samples take.
 TEST(PoissonDisk, ASampleAloneLiesAnywhere) {
     // An L of three unit squares, which a grid cuts anyhow; all of it lies within the distances.
     constexpr double s = 0.1;
@@ -177,6 +177,19 @@ TEST(PoissonDisk, ASampleAloneLiesAnywhere) {
         shares.push_back(c.length * c.width * c.length * c.width);
     EXPECT_LT(chi_square_excess(classes, shares), 8); // two degrees of freedom have a long tail
     EXPECT_LT(chi_square_excess(turns), 5);
+}
+
+/// Slivers that are cut back to what they were before they were split would never end.
+TEST(PoissonDisk, LongEllipsesInAWhirlComeToAnEnd) {
+    PoissonDiskProblem problem;
+    problem.domain = square_domain(1);
+    problem.classes = {{0.13, 0.013}};
+    problem.direction = std::make_shared<WhirlField>(Vec2(0, 0), 70);
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        problem.seed = seed;
+        const PoissonDiskSet set = sample_poisson_disks(problem, {});
+        EXPECT_LT(set.trials, 100 * set.samples.size()) << seed;
+    }
 }
 
 /// Positions relative to grids, among them those a sampler may use inside.
