@@ -192,6 +192,29 @@ TEST(PoissonDisk, LongEllipsesInAWhirlComeToAnEnd) {
     }
 }
 
+/// The least distance relative to that of the densest packing of as many points (Lagae & Dutré
+/// 2008) grows: 0.777 for darts alone.
+TEST(PoissonDisk, RelaxedDisksStandFartherApart) {
+    PoissonDiskProblem problem;
+    problem.domain = square_domain(1);
+    problem.torus = true;
+    problem.classes = {{0.02, 0.02}};
+    for (const auto& [relax, least] : {std::pair{0, 0.76}, std::pair{100, 0.81}}) {
+        problem.relax = relax;
+        const std::vector<DiskSample> samples = sample_poisson_disks(problem, {}).samples;
+        double nearest = 1;
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                Vec2 d = samples[i].position - samples[j].position;
+                d -= Vec2(std::round(d.x), std::round(d.y));
+                nearest = std::min(nearest, d.length());
+            }
+        const double densest = std::sqrt(2 / (std::sqrt(3) * double(samples.size())));
+        EXPECT_GT(nearest / densest, least) << relax;
+        EXPECT_EQ(relax == 0, nearest / densest < 0.79) << relax;
+    }
+}
+
 /// Positions relative to grids, among them those a sampler may use inside.
 TEST(PoissonDisk, NoGridShows) {
     constexpr double r = 1.0 / 150;
