@@ -6,7 +6,7 @@ local function sprinkles(surface, seed)
   local components = {}
   for i, color in ipairs(colors) do
     components[i] = {
-      shape = mesh.rice { length = mm(5.5), width = mm(1.6) }, margin = mm(-0.25), height = mm(-0.35),
+      shape = mesh.rice { length = mm(5.5), width = mm(1.6) }, margin = mm(0.1), height = mm(-0.35),
       material = material.plastic { color = srgb(color), roughness = 0.25 },
     }
   end
@@ -21,7 +21,7 @@ objects[#objects + 1] = sprinkles(ring, seed)
 objects[#objects + 1] = object { shape = mesh.plane { size = 2 }, material = material.matte { color = srgb("#e9dfd0") } }
 
 return scene {
-  film = { width = 1280, height = 720, samples = 64 },
+  film = { width = 1280, height = 720, samples = 64, clamp = 6 },
   camera = camera.perspective { from = { 0.02, 0.13, 0.15 }, at = { 0, 0.012, 0.002 }, fov = 30 },
   lights = {
     light.sky { color = { 0.92, 0.96, 1.0 }, strength = 0.5 },

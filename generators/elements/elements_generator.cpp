@@ -146,8 +146,8 @@ Aggregate bake_elements(const Params& params, const Context& context) {
         return bake_on_surface(params, shapes, context);
     const PoissonDiskProblem problem = problem_from(params, shapes);
     const auto sampling_start = Clock::now();
-    PoissonDiskSet set =
-        located(params, "torus", [&] { return sample_poisson_disks(problem, context); });
+    PoissonDiskSet set = located(params, problem.torus ? "torus" : "components",
+                                 [&] { return sample_poisson_disks(problem, context); });
     const std::chrono::duration<double> sampling = Clock::now() - sampling_start;
     if (params.has("spacing_by"))
         for (DiskSample& sample : set.samples)

@@ -135,9 +135,9 @@ Cells::Cells(const Region& domain, bool torus, double distance, std::uint64_t se
                 at_rim_[index(column, row)] = false;
     }
 
+    std::size_t k = 0;
     for (int row = 0; row < 5; ++row)
-        for (int column = 0; column < 5; ++column) {
-            const auto k = static_cast<std::size_t>(5 * row + column);
+        for (int column = 0; column < 5; ++column, ++k) {
             shift_[k] = Vec2(column - reach, row - reach) * grid_.cell;
             offset_[k] = std::uint32_t(row - reach) * stride_ + std::uint32_t(column - reach);
         }
