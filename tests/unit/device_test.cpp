@@ -84,7 +84,11 @@ TEST_F(DeviceTest, IgnoresADamagedCache) {
     expect_doubled();
     std::filesystem::resize_file(cached()[0], 0);
     expect_doubled();
-    EXPECT_EQ(std::filesystem::file_size(cached()[0]), size); // made again
+    // Made again, and used. Not to the byte: PoCL adds what it has compiled of the kernel so far.
+    EXPECT_GT(std::filesystem::file_size(cached()[0]), 0U);
+    const auto time = std::filesystem::last_write_time(cached()[0]);
+    expect_doubled();
+    EXPECT_EQ(std::filesystem::last_write_time(cached()[0]), time);
 }
 
 TEST_F(DeviceTest, IgnoresACacheThatCannotBeWritten) {
