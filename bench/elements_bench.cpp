@@ -4,6 +4,7 @@
 // and other programs that do the same. CPU seconds of the whole process, medians of five, or of as
 // many as take less than 12 s.
 //   elements_bench [modes|small|table|peers ...]     all unless named
+#include "bench/measure.h"
 #include "bench/peers.h"
 #include "core/parallel.h"
 #include "core/random.h"
@@ -15,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <ctime>
 #include <set>
 
 namespace {
@@ -23,22 +23,6 @@ namespace {
 using namespace scree;
 
 constexpr std::size_t darts = 1000000;
-
-double cpu_seconds_of(const auto& work) {
-    const auto now = [] {
-        timespec time{};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-        return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-    };
-    const double start = now();
-    work();
-    return now() - start;
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
 
 /// A way to fill the unit square; axes are relative.
 struct Kind {

@@ -3,6 +3,7 @@
 // 7, 10 and 11 and its table 1, and growth with the number of elements. One run, one thread unless
 // stated, medians of five.
 //   layout_bench [queries|methods|figures|candidates|table|growth ...]     all unless named
+#include "bench/measure.h"
 #include "core/device.h"
 #include "core/parallel.h"
 #include "generators/layout/gap_field.h"
@@ -17,7 +18,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <set>
 
 #include <sys/resource.h>
@@ -28,27 +28,10 @@ using namespace scree;
 
 constexpr int runs = 5;
 
-/// Of the whole process, so that a busy machine shows less.
-double cpu_seconds_of(const auto& work) {
-    const auto now = [] {
-        timespec time{};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-        return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-    };
-    const double start = now();
-    work();
-    return now() - start;
-}
-
 double seconds_of(const auto& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
 }
 
 struct Shape {

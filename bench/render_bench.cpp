@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Path tracing of a heap of many instances: how much of the time is Embree's own?
 //   render_bench [mesh.obj] [runs] [samples]
+#include "bench/measure.h"
 #include "render/render.h"
 
 #include "core/parallel.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <ctime>
 
 using namespace scree;
 
@@ -43,11 +43,6 @@ Aggregate scatter(std::shared_ptr<const Mesh> mesh) {
         aggregate.instances.push_back({0, turn * place, random.uniform_float(), 0, 1});
     }
     return aggregate;
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 // Rays per CPU second of Embree and nothing else: diffuse bounces off what the camera sees, made
