@@ -25,6 +25,20 @@ Span cells_between(double low, double high, int count) {
 
 } // namespace
 
+CellGrid grid_over(const Box2& box, double side, bool fit) {
+    const Vec2 size = box.size();
+    CellGrid grid{.origin = box.min, .cell = {side, side}};
+    if (fit) {
+        grid.columns = static_cast<int>(std::ceil(size.x / side));
+        grid.rows = static_cast<int>(std::ceil(size.y / side));
+        grid.cell = {size.x / grid.columns, size.y / grid.rows};
+    } else {
+        grid.columns = static_cast<int>(std::floor(size.x / side)) + 1;
+        grid.rows = static_cast<int>(std::floor(size.y / side)) + 1;
+    }
+    return grid;
+}
+
 DomainCells::DomainCells(const Region& region, const CellGrid& grid)
     : grid_(grid), kinds_(grid.size(), Kind::outside) {
     for (const Ring& ring : region.rings)

@@ -19,6 +19,10 @@ struct CellGrid {
     Vec2 corner(int column, int row) const { return origin + Vec2(column, row) * cell; }
 };
 
+/// A grid of squares of `side` [m] that holds the box; or, where it is to fit, of rectangles that
+/// are no larger and fill the box exactly.
+CellGrid grid_over(const Box2& box, double side, bool fit);
+
 /// Which cells of a grid lie in a region. What crosses a cell that the region's border crosses is
 /// cut out of the region's triangulation exactly, up to rounding (the boundary and inner cells of
 /// Kita & Miyata 2012, section 3.1; what the flood fill finds there the triangles give here).

@@ -112,16 +112,7 @@ Cells::Cells(const Region& domain, bool torus, double distance, std::uint64_t se
         throw Error(fmt::format("the domain is {:.4g} m wide, which is too much for a distance of "
                                 "{:.4g} m: there would be over {:.2g} elements",
                                 std::max(size.x, size.y), distance, 3e8));
-    grid_.origin = box.min;
-    if (torus) {
-        grid_.columns = static_cast<int>(std::ceil(size.x / side));
-        grid_.rows = static_cast<int>(std::ceil(size.y / side));
-        grid_.cell = {size.x / grid_.columns, size.y / grid_.rows};
-    } else {
-        grid_.columns = static_cast<int>(std::floor(size.x / side)) + 1;
-        grid_.rows = static_cast<int>(std::floor(size.y / side)) + 1;
-        grid_.cell = {side, side};
-    }
+    grid_ = grid_over(box, side, torus);
     stride_ = std::uint32_t(grid_.columns + 2 * reach);
     const std::size_t all = std::size_t(stride_) * std::size_t(grid_.rows + 2 * reach);
     time_.assign(all, never);

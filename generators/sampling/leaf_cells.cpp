@@ -89,17 +89,8 @@ void LeafCells::make_grid(const PoissonDiskProblem& problem, const DiskMetric& m
         throw Error(fmt::format("the domain of {:.4g} x {:.4g} m is too large for a distance of "
                                 "{:.4g} m: there would be over {:.1g} elements",
                                 size.x, size.y, metric.least_distance(), 0.35 * max_roots));
-    grid_.origin = box.min;
-    if (torus_) {
-        period_ = size;
-        grid_.columns = static_cast<int>(std::ceil(size.x / side));
-        grid_.rows = static_cast<int>(std::ceil(size.y / side));
-        grid_.cell = {size.x / grid_.columns, size.y / grid_.rows};
-    } else {
-        grid_.columns = static_cast<int>(std::floor(size.x / side)) + 1;
-        grid_.rows = static_cast<int>(std::floor(size.y / side)) + 1;
-        grid_.cell = {side, side};
-    }
+    grid_ = grid_over(box, side, torus_);
+    period_ = size;
 }
 
 void LeafCells::add_leaves(const Leaf& leaf, std::vector<ConvexPiece> pieces,
