@@ -38,8 +38,8 @@ class Cells {
     void start(std::uint32_t c);
     void add_kept(const DiskSample& sample);
     void place(std::uint32_t c, const PlacedDisk& disk);
-    void end_covered(std::uint32_t c, float now);
-    void end_whole(std::uint32_t c, std::uint32_t ended, float now);
+    void end_covered(std::uint32_t c);
+    void end_whole(std::uint32_t c, std::uint32_t ended);
     void gather_near(std::uint32_t c);
     void keep_uncovered(std::uint32_t c, const DiskPart& part, Random& random);
     void add_part(std::uint32_t c, const DiskPart& part, double exponential);
@@ -52,7 +52,7 @@ class Cells {
     LeafCells leaves_;
     std::uint64_t seed_;
     DiskCover cover_;
-    float now_ = 0; // while an event happens, its time
+    float now_ = 0; // the time of the event at hand, before the first 0
     std::vector<float>
         time_; // of the next dart: the earlier of that for the whole cell and of parts
     std::vector<std::uint32_t> whole_; // a bit for each class of which nothing is known yet
@@ -119,7 +119,7 @@ void Cells::update_time(std::uint32_t c) {
 void Cells::add_kept(const DiskSample& sample) {
     if (const auto c = leaves_.leaf_at(sample.position)) {
         place(*c, cover_.placed(sample));
-        end_covered(*c, 0);
+        end_covered(*c);
     }
 }
 
@@ -131,7 +131,7 @@ void Cells::place(std::uint32_t c, const PlacedDisk& disk) {
 
 // Ends classes in the cells near that the sample covers whole: most will never throw a dart.
 // What is left waits as much longer as its measure is smaller: waits have no memory.
-void Cells::end_covered(std::uint32_t c, float now) {
+void Cells::end_covered(std::uint32_t c) {
     const PlacedDisk& placed = placed_.back();
     const std::uint32_t o = placed.sample.disk_class;
     leaves_.for_runs_near(c, [&](std::uint32_t first, std::uint32_t last) {
@@ -154,16 +154,16 @@ void Cells::end_covered(std::uint32_t c, float now) {
                     ended |= 1U << k;
             }
             if (ended != 0)
-                end_whole(i, ended, now);
+                end_whole(i, ended);
         }
     });
 }
 
-void Cells::end_whole(std::uint32_t c, std::uint32_t ended, float now) {
+void Cells::end_whole(std::uint32_t c, std::uint32_t ended) {
     const double before = measure_whole(c);
     whole_[c] &= ~ended;
-    const double wait = double(whole_time_[c]) - double(now);
-    whole_time_[c] = whole_[c] == 0 ? never : after(now, wait * before / measure_whole(c));
+    const double wait = double(whole_time_[c]) - double(now_);
+    whole_time_[c] = whole_[c] == 0 ? never : after(now_, wait * before / measure_whole(c));
     update_time(c);
 }
 
@@ -288,7 +288,7 @@ void Cells::happen(std::uint32_t c) {
     gather_near(c);
     if (cover_.is_free(disk, near_, placed_)) {
         place(c, disk);
-        end_covered(c, now_);
+        end_covered(c);
         near_.push_back({sample.position, static_cast<std::uint32_t>(placed_.size()) - 1});
         cut_parts(c);
     }

@@ -105,10 +105,9 @@ void Relaxation::sort_bodies() {
 
 bool Relaxation::is_near_border(const DiskSample& sample) const {
     const double reach = wide_metric_.longest() * sample.scale;
-    const Box2& box = box_;
     const Vec2& p = sample.position;
-    if (p.x - box.min.x < reach || p.y - box.min.y < reach || box.max.x - p.x < reach ||
-        box.max.y - p.y < reach)
+    if (p.x - box_.min.x < reach || p.y - box_.min.y < reach || box_.max.x - p.x < reach ||
+        box_.max.y - p.y < reach)
         return true;
     bool all_whole = true;
     if (const auto leaf = leaves_.leaf_at(p))

@@ -56,7 +56,7 @@ class Cells {
     std::vector<double> distances_; // of class_distances
     double doubt_;                  // [m] that rounding may add to or take from a distance
     std::uint64_t seed_;
-    float now_ = 0; // while an event happens, its time
+    float now_ = 0; // the time of the event at hand, before the first 0
     std::vector<float> time_;
     std::vector<Parts::Root> part_of_;
     Parts parts_;
