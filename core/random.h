@@ -33,6 +33,11 @@ enum class Purpose : std::uint32_t {
     disk_class = 46,
     element_attribute = 47,
     disk_start = 48,
+    solid_lattice = 49,
+    solid_vein = 50,
+    solid_ring = 51,
+    solid_knot = 52,
+    solid_cell = 53,
 };
 
 /// A stream of uniform numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et al.

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "procedurals/solid/text_as_cpp.h"
+
+#define global
+namespace scree::solid {
+#include "procedurals/solid/lattice.cl"
+} // namespace scree::solid
+#undef global
