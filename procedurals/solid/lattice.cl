@@ -122,7 +122,7 @@ static inline float node_normal(uint key_a, uint key_b, uint level, uint x, uint
 }
 
 // Coordinates of nodes of a level: those of one period, or all there are.
-static inline uint node_mask(const Lattice* lattice, int level) {
+static inline uint node_mask(global const Lattice* lattice, int level) {
     return lattice->repeats ? (1U << level) - 1U : 0xffffffffU;
 }
 
@@ -167,7 +167,7 @@ static inline float carried(const float* g, const float* x, const float* y, cons
 }
 
 // The 27 nodes' variates of the level below a cell (corners' too, which nobody asks).
-static inline void cell_normals(const Lattice* lattice, int level, int cx, int cy, int cz,
+static inline void cell_normals(global const Lattice* lattice, int level, int cx, int cy, int cz,
                                 float* g) {
     const uint mask = node_mask(lattice, level);
     for (int k = 0; k < 3; ++k)
@@ -182,7 +182,7 @@ static inline void cell_normals(const Lattice* lattice, int level, int cx, int c
 }
 
 // T_level / L_level at a place of the unit cube (or of space), without any storage; level >= 1.
-static inline Fluctuation level_field(const Lattice* lattice, int level, Triple p) {
+static inline Fluctuation level_field(global const Lattice* lattice, int level, Triple p) {
     const float cells = (float)(1 << (level - 1));
     const float x = p.x * cells, y = p.y * cells, z = p.z * cells;
     const float cx = floor(x), cy = floor(y), cz = floor(z);
@@ -218,7 +218,7 @@ static inline Fluctuation trilinear(const float* v, float fx, float fy, float fz
 
 // The lattice with all levels up to `level`, which are stored, at a place of the unit cube, or of
 // space where it repeats.
-static inline Fluctuation stored_field(const Lattice* lattice, global const short* nodes16,
+static inline Fluctuation stored_field(global const Lattice* lattice, global const short* nodes16,
                                        global const float* nodes32, int level, Triple p) {
     const float cells = (float)(1 << level);
     const float x = p.x * cells, y = p.y * cells, z = p.z * cells;
@@ -238,7 +238,7 @@ static inline Fluctuation stored_field(const Lattice* lattice, global const shor
 }
 
 // Level 0: the corners of all unit cubes.
-static inline Fluctuation corner_field(const Lattice* lattice, Triple p) {
+static inline Fluctuation corner_field(global const Lattice* lattice, Triple p) {
     const float cx = floor(p.x), cy = floor(p.y), cz = floor(p.z);
     float v[8];
     for (int corner = 0; corner < 8; ++corner)
@@ -258,13 +258,13 @@ static inline void add_field(Fluctuation* sum, Fluctuation field, float share) {
 }
 
 // Whether the stored nodes hold the cube of a place.
-static inline int is_stored(const Lattice* lattice, Triple p) {
+static inline int is_stored(global const Lattice* lattice, Triple p) {
     return lattice->levels > 0 &&
            (lattice->repeats || (floor(p.x) == 0.0f && floor(p.y) == 0.0f && floor(p.z) == 0.0f));
 }
 
 // The levels that a filter `width` wide leaves whole, and a share of the next: a real number.
-static inline float resolved_level(const Lattice* lattice, float width) {
+static inline float resolved_level(global const Lattice* lattice, float width) {
     const float most = (float)lattice->finest;
     if (!(width > 0.0f))
         return most;
@@ -273,7 +273,7 @@ static inline float resolved_level(const Lattice* lattice, float width) {
 }
 
 // The same place of the first cube where it repeats; otherwise within what integers can count.
-static inline Triple within_reach(const Lattice* lattice, Triple p) {
+static inline Triple within_reach(global const Lattice* lattice, Triple p) {
     if (lattice->repeats)
         return triple(p.x - floor(p.x), p.y - floor(p.y), p.z - floor(p.z));
     const float most = (float)(1 << (30 - lattice->finest));
@@ -283,7 +283,7 @@ static inline Triple within_reach(const Lattice* lattice, Triple p) {
 
 // D at a place seen through a filter of that width (in unit cubes): the levels that the filter
 // resolves, and the variance of those that it does not.
-static inline Fluctuation fluctuation(const Lattice* lattice, global const short* nodes16,
+static inline Fluctuation fluctuation(global const Lattice* lattice, global const short* nodes16,
                                       global const float* nodes32, Triple p, float width) {
     const float resolved = resolved_level(lattice, width);
     p = within_reach(lattice, p);
