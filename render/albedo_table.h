@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 namespace scree {
 
@@ -9,6 +10,7 @@ namespace scree {
 /// of the direction: of a perfect mirror's facets, or of a dielectric's.
 class AlbedoTable {
   public:
+    AlbedoTable() = default;
     /// `ior` 0: facets that reflect everything.
     AlbedoTable(float alpha, float ior);
 
@@ -28,6 +30,42 @@ class AlbedoTable {
     static constexpr int size = 64;
     std::array<float, size> values_{};
     float average_ = 0;
+};
+
+/// What a surface's roughness makes of an AlbedoTable: one, or a mean of two. The mean's average is
+/// exact, too, so that a white base under a coat loses nothing for being between two tables.
+class Albedo {
+  public:
+    Albedo(const AlbedoTable* table = nullptr) : low_(table) {} // implicit: the common case
+    Albedo(const AlbedoTable* low, const AlbedoTable* high, float part)
+        : low_(low), high_(high), part_(part) {}
+
+    float at(float cosine) const {
+        const float low = low_->at(cosine);
+        return part_ > 0 ? low + (high_->at(cosine) - low) * part_ : low;
+    }
+    float average() const {
+        const float low = low_->average();
+        return part_ > 0 ? low + (high_->average() - low) * part_ : low;
+    }
+
+  private:
+    const AlbedoTable* low_;
+    const AlbedoTable* high_ = nullptr;
+    float part_ = 0;
+};
+
+/// The tables of all roughnesses, for surfaces on which it goes by place.
+class RoughnessTables {
+  public:
+    /// `ior` as in AlbedoTable. A twentieth of a second of work, on all threads.
+    explicit RoughnessTables(float ior);
+
+    /// `roughness` in [0, 1]; good for as long as this lives.
+    Albedo at(float roughness) const;
+
+  private:
+    std::vector<AlbedoTable> tables_; // evenly over the roughness
 };
 
 } // namespace scree

@@ -30,13 +30,13 @@ BsdfValue matte(const Bsdf& bsdf, const Vec3& wi, float scale) {
 // A GGX coat over a diffuse base that gets what the coat lets in and gives back what it lets out
 // (Kelemen & Szirmay-Kalos 2001, eq. 14): reciprocal, and a white base loses nothing.
 float coat_probability(const Bsdf& bsdf, float cosine) {
-    const float coat = bsdf.albedo->at(cosine);
+    const float coat = bsdf.albedo.at(cosine);
     const float base = (1 - coat) * std::max({bsdf.color.x, bsdf.color.y, bsdf.color.z});
     return coat / (coat + base);
 }
 
 BsdfValue plastic(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi, float scale) {
-    const AlbedoTable& albedo = *bsdf.albedo;
+    const Albedo& albedo = bsdf.albedo;
     const float base =
         scale * (1 - albedo.at(wo.z)) * (1 - albedo.at(wi.z)) / (1 - albedo.average());
     const Vec3 m = half_vector(wo, wi);
@@ -50,7 +50,7 @@ BsdfValue plastic(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi, float scale)
 
 // Energy of the further bounces between facets, in proportion to the first (Turquin 2019, eq. 16).
 Color metal_gain(const Bsdf& bsdf, float cosine) {
-    const float single = bsdf.albedo->at(cosine);
+    const float single = bsdf.albedo.at(cosine);
     return Color(1.0F, 1.0F, 1.0F) + bsdf.color * ((1 - single) / single);
 }
 

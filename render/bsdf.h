@@ -28,10 +28,10 @@ enum class BsdfKind { matte, plastic, metal, smooth_glass, rough_glass };
 /// A material at one point of a surface. Small and flat: no allocation, no virtual calls.
 struct Bsdf {
     BsdfKind kind = BsdfKind::matte;
-    Color color{0.0F, 0.0F, 0.0F};       // reflectance; of glass: unused
-    float alpha = 0;                     // GGX
-    float eta = 1;                       // index of refraction of the far side to the viewer's
-    const AlbedoTable* albedo = nullptr; // of the plastic's coat, or of the metal's facets
+    Color color{0.0F, 0.0F, 0.0F}; // reflectance; of glass: unused
+    float alpha = 0;               // GGX
+    float eta = 1;                 // index of refraction of the far side to the viewer's
+    Albedo albedo;                 // of the plastic's coat, or of the metal's facets
 
     bool delta() const { return kind == BsdfKind::smooth_glass; }
 

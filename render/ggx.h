@@ -8,6 +8,12 @@
 
 namespace scree::ggx {
 
+/// Below this the lobe is narrower than 0.1 degrees and single precision runs out.
+constexpr float min_alpha = 1e-3F;
+
+/// By the perceptual roughness (Burley 2012).
+inline float alpha(float roughness) { return std::max(min_alpha, roughness * roughness); }
+
 /// Density of microfacet normals per solid angle and projected area. By the tangent, not by the
 /// cosine, whose difference from 1 has no digits left for small alpha.
 inline float density(const Vec3& m, float alpha) {

@@ -19,6 +19,14 @@ struct InstanceRecord {
 
     Vec3 direction(const Vec3& v) const { return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z; }
     Vec3 point(const Vec3& v) const { return direction(v) + rows[3]; }
+    // What `direction` makes `v` of: by the transpose, or by Cramer's rule.
+    Vec3 inverse_direction(const Vec3& v) const {
+        if (similar)
+            return Vec3(rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)) / (scale * scale);
+        const Vec3 yz = rows[1].cross(rows[2]);
+        return Vec3(yz.dot(v), rows[2].cross(rows[0]).dot(v), rows[0].cross(rows[1]).dot(v)) /
+               rows[0].dot(yz);
+    }
     // Normals go by the cofactors, up to a positive factor.
     Vec3 normal(const Vec3& n) const {
         if (similar)

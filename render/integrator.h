@@ -66,7 +66,7 @@ class Integrator {
 
     /// Follows the paths to their ends, all together by one edge at a time, so that the memory
     /// traffic of one is hidden behind the rays of the others; each is as if it were alone.
-    /// `spread`: width of the pixel's filter per metre of way.
+    /// `spread`: width of the filter that each path stands for, per metre of way.
     void trace(std::span<Path> paths, float spread, RayCount& count) const;
 
   private:

@@ -2,6 +2,7 @@
 #include "render/surface.h"
 
 #include "render/ggx.h"
+#include "render/paint.h"
 
 #include <algorithm>
 #include <cassert>
@@ -10,51 +11,8 @@ namespace scree {
 
 namespace {
 
-// Below this the lobe is narrower than 0.1 degrees and single precision runs out: glass counts as
-// smooth, other surfaces stay here.
-constexpr float min_alpha = 1e-3F;
-
 // How far above a surface a bent direction must stay, as a cosine (0.6 degrees).
 constexpr float min_cosine = 0.01F;
-
-// Colour of the instance at the point; bends `normal` where the procedural gives a height
-// (Mikkelsen 2010: the surface gradient).
-Color paint_at(const Paint& paint, const Hit& hit, float footprint, Vec3& normal, bool& smooth) {
-    if (!paint.palette.empty()) {
-        const auto count = paint.palette.size();
-        const auto index = static_cast<std::size_t>(hit.random * static_cast<float>(count));
-        return paint.palette[std::min(index, count - 1)];
-    }
-    if (paint.texture.procedural == nullptr)
-        return paint.texture.constant;
-    const Procedural& procedural = *paint.texture.procedural;
-    ShadingPoint point{hit.object_position, footprint / hit.object_scale, hit.uv()};
-    point.uv_footprint = point.footprint * hit.uv_scale();
-    ShadingSample sample;
-    procedural.evaluate({&point, 1}, {&sample, 1});
-    if (sample.height != 0) {
-        const float step = std::max(0.5F * point.footprint, 1e-6F);
-        ShadingPoint points[3] = {point, point, point};
-        ShadingSample samples[3];
-        points[0].position.x += step;
-        points[1].position.y += step;
-        points[2].position.z += step;
-        procedural.evaluate(points, samples);
-        const Vec3 slope =
-            Vec3(samples[0].height - sample.height, samples[1].height - sample.height,
-                 samples[2].height - sample.height) /
-            step;
-        const Vec3* rows = hit.world_from_object;
-        const Vec3 yz = rows[1].cross(rows[2]);
-        const Vec3 gradient =
-            (yz * slope.x + rows[2].cross(rows[0]) * slope.y + rows[0].cross(rows[1]) * slope.z) *
-            (hit.object_scale / rows[0].dot(yz));
-        normal = unit(normal - gradient + normal * normal.dot(gradient));
-        smooth = true;
-    }
-    const auto reflectance = [](float v) { return std::clamp(v, 0.0F, 1.0F); };
-    return {reflectance(sample.color.x), reflectance(sample.color.y), reflectance(sample.color.z)};
-}
 
 // The shading normal nearest to `n` for which the viewer, and for mirrors the mirrored viewer, is
 // above the surface (Keller et al. 2017, "The Iray light transport simulation and rendering
@@ -122,19 +80,17 @@ MaterialSet::MaterialSet(std::span<const Material> materials) {
         } else if (const auto* plastic = std::get_if<Plastic>(&material)) {
             prepared.kind = BsdfKind::plastic;
             prepared.paint = plastic->paint;
-            prepared.alpha = std::max(min_alpha, plastic->roughness * plastic->roughness);
             prepared.ior = plastic->ior;
-            prepared.albedo = table(prepared.alpha, prepared.ior);
+            prepare_lobe(prepared, plastic->roughness, plastic->ior);
         } else if (const auto* metal = std::get_if<Metal>(&material)) {
             prepared.kind = BsdfKind::metal;
             prepared.paint = metal->paint;
-            prepared.alpha = std::max(min_alpha, metal->roughness * metal->roughness);
-            prepared.albedo = table(prepared.alpha, 0);
+            prepare_lobe(prepared, metal->roughness, 0);
         } else {
             const Glass& glass = std::get<Glass>(material);
             prepared.alpha = glass.roughness * glass.roughness;
             prepared.kind =
-                prepared.alpha < min_alpha ? BsdfKind::smooth_glass : BsdfKind::rough_glass;
+                prepared.alpha < ggx::min_alpha ? BsdfKind::smooth_glass : BsdfKind::rough_glass;
             prepared.ior = glass.ior;
             prepared.absorption = glass.absorption;
         }
@@ -142,20 +98,26 @@ MaterialSet::MaterialSet(std::span<const Material> materials) {
     }
 }
 
-const AlbedoTable* MaterialSet::table(float alpha, float ior) {
-    return &tables_.try_emplace({alpha, ior}, alpha, ior).first->second;
+void MaterialSet::prepare_lobe(Prepared& prepared, float roughness, float facet_ior) {
+    prepared.alpha = ggx::alpha(roughness);
+    prepared.albedo =
+        &tables_.try_emplace({prepared.alpha, facet_ior}, prepared.alpha, facet_ior).first->second;
+    if (prepared.paint.texture.procedural != nullptr)
+        prepared.varied = &varied_tables_.try_emplace(facet_ior, facet_ior).first->second;
 }
 
 Surface MaterialSet::surface(const Hit& hit, const Vec3& direction, float footprint) const {
     assert(hit.material < materials_.size());
     const Prepared& material = materials_[hit.material];
     Surface surface;
-    surface.smooth = hit.smooth;
-    Vec3 normal = hit.shading_normal;
+    const Painted painted = paint_at(material.paint, hit, direction, footprint);
+    surface.smooth = hit.smooth || painted.bent;
+    Vec3 normal = painted.bent ? painted.normal : hit.shading_normal;
     surface.bsdf.kind = material.kind;
-    surface.bsdf.color = paint_at(material.paint, hit, footprint, normal, surface.smooth);
-    surface.bsdf.alpha = material.alpha;
-    surface.bsdf.albedo = material.albedo;
+    surface.bsdf.color = painted.color;
+    const bool varied = painted.roughness >= 0 && material.varied != nullptr;
+    surface.bsdf.alpha = varied ? ggx::alpha(std::min(painted.roughness, 1.0F)) : material.alpha;
+    surface.bsdf.albedo = varied ? material.varied->at(painted.roughness) : material.albedo;
     const Vec3 wo = -direction;
     surface.outside = wo.dot(hit.normal) > 0;
     surface.normal = surface.outside ? hit.normal : -hit.normal;

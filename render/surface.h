@@ -55,12 +55,14 @@ class MaterialSet {
         float alpha = 0;
         float ior = 1;
         Color absorption{0.0F, 0.0F, 0.0F};
-        const AlbedoTable* albedo = nullptr;
+        Albedo albedo;
+        const RoughnessTables* varied = nullptr; // of a procedural, which may give a roughness
     };
-    const AlbedoTable* table(float alpha, float ior);
+    void prepare_lobe(Prepared& prepared, float roughness, float facet_ior);
 
     std::vector<Prepared> materials_;
     std::map<std::pair<float, float>, AlbedoTable> tables_; // by (alpha, ior)
+    std::map<float, RoughnessTables> varied_tables_;        // by ior
 };
 
 } // namespace scree

@@ -268,8 +268,7 @@ void World::State::fill_surface(const RawHit& found, Hit& hit) const {
     hit.mesh = prototype.mesh;
     hit.triangle = found.primitive;
     hit.barycentric = found.barycentric;
-    hit.object_scale = record.scale;
-    hit.world_from_object = &record.rows[0];
+    hit.record = &record;
     hit.random = record.random;
     hit.instance = found.instance;
     hit.material = prototype.material;
@@ -283,13 +282,12 @@ void World::State::fill_light(const RawHit& found, Hit& hit) const {
     const Vec3 v = light_vertices[4 * quad + 3] - corner;
     hit.normal = hit.shading_normal = u.cross(v).normalized();
     hit.mesh = nullptr;
-    hit.object_scale = 1;
     hit.random = 0;
     hit.instance = Hit::none;
     hit.material = 0;
     hit.light = light_of_quad[quad];
     hit.smooth = false;
-    hit.world_from_object = nullptr;
+    hit.record = nullptr;
 }
 
 Vec2f Hit::uv() const {

@@ -13,6 +13,8 @@
 
 namespace scree {
 
+struct InstanceRecord;
+
 struct Ray {
     Vec3 origin;
     Vec3 direction; // unit length
@@ -28,15 +30,14 @@ struct Hit {
     Vec3 shading_normal; // interpolated, unit, on the same side as `normal`
     Vec3 object_position;
     float distance = 0;
-    float offset = 0;       // how far the position may be off its surface [m]
-    float object_scale = 1; // world length of a unit length of the object
-    float random = 0;       // of the instance
+    float offset = 0; // how far the position may be off its surface [m]
+    float random = 0; // of the instance
     std::uint32_t instance = none;
     std::uint32_t material = 0;
-    std::uint32_t light = none;              // index into the lights, of an area light
-    bool smooth = false;                     // shading_normal differs from normal
-    const Vec3* world_from_object = nullptr; // rows of the instance's matrix; null on lights
-    const Mesh* mesh = nullptr;              // null on lights
+    std::uint32_t light = none;             // index into the lights, of an area light
+    bool smooth = false;                    // shading_normal differs from normal
+    const InstanceRecord* record = nullptr; // null on lights
+    const Mesh* mesh = nullptr;             // null on lights
     std::uint32_t triangle = 0;
     Vec2f barycentric{0.0F, 0.0F}; // of the triangle's second and third corner
 

@@ -67,13 +67,29 @@ TEST(Furnace, WhiteMattesVanishInEveryPixel) {
     }
 }
 
+// White, with a roughness that runs through all values over the height.
+class Bands final : public Procedural {
+  public:
+    void evaluate(std::span<const ShadingPoint> points,
+                  std::span<ShadingSample> samples) const override {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            samples[i] = {};
+            samples[i].color = {1.0F, 1.0F, 1.0F};
+            samples[i].roughness = 0.5F + 0.5F * std::sin(20 * points[i].position.y);
+        }
+    }
+};
+
 TEST(Furnace, OtherMaterialsNeverGain) {
     const Texture white{Color(1.0F, 1.0F, 1.0F), nullptr};
+    const Texture bands{Color(1.0F, 1.0F, 1.0F), std::make_shared<Bands>()};
     const std::vector<std::pair<Material, double>> least = {
         {Metal{{white, {}}, 0.3F}, 0.98},
         {Metal{{white, {}}, 1.0F}, 0.98},
         {Plastic{{white, {}}, 0.1F, 1.5F}, 0.98},
         {Plastic{{white, {}}, 0.7F, 1.5F}, 0.98},
+        {Metal{{bands, {}}, 0.3F}, 0.98},
+        {Plastic{{bands, {}}, 0.3F, 1.5F}, 0.98},
         {Glass{1.5F, Color(0.0F, 0.0F, 0.0F), 0}, 0.999},
         {Glass{1.5F, Color(0.0F, 0.0F, 0.0F), 0.4F}, 0.9}};
     for (std::size_t i = 0; i < least.size(); ++i)
@@ -268,8 +284,9 @@ TEST(Film, VarianceOfTheMeanIsRight) {
             sample.radiance = {v, v, v};
             film.add(x, 0, sample, 0);
         }
+    const std::vector<ImagePart> parts = film.parts();
     double sum = 0;
-    for (const float v : film.parts().back().image.pixels)
+    for (const float v : parts.back().image.pixels)
         sum += double(v) / 6000;
     EXPECT_NEAR(sum, 1 / (12.0 * 16), 0.02 / (12.0 * 16));
 }

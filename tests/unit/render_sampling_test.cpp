@@ -111,7 +111,7 @@ double albedo(const Bsdf& bsdf, const Vec3& wo) {
     return sum / (1U << 16);
 }
 
-Bsdf make(BsdfKind kind, float a, float eta, const AlbedoTable* table) {
+Bsdf make(BsdfKind kind, float a, float eta, const Albedo& table) {
     Bsdf bsdf;
     bsdf.kind = kind;
     bsdf.color = {1.0F, 1.0F, 1.0F};
@@ -119,6 +119,11 @@ Bsdf make(BsdfKind kind, float a, float eta, const AlbedoTable* table) {
     bsdf.eta = eta;
     bsdf.albedo = table;
     return bsdf;
+}
+
+// One place of a surface whose roughness goes by place.
+Bsdf make_varied(BsdfKind kind, float roughness, float eta, const RoughnessTables& tables) {
+    return make(kind, ggx::alpha(roughness), eta, tables.at(roughness));
 }
 
 TEST(Sampling, Matte) {
@@ -140,6 +145,33 @@ TEST(Sampling, Plastic) {
         check_bsdf(make(BsdfKind::plastic, a, 1.5F, &table));
         check_weights(make(BsdfKind::plastic, a, 1.5F, &table));
     }
+}
+
+// Roughnesses between the tables; the sharpest is as narrow as the cells can tell.
+TEST(Sampling, VariedRoughness) {
+    const RoughnessTables mirror(0);
+    const RoughnessTables coat(1.5F);
+    for (const float roughness : {0.42F, 0.64F, 0.9F}) {
+        const Bsdf metal = make_varied(BsdfKind::metal, roughness, 1, mirror);
+        const Bsdf plastic = make_varied(BsdfKind::plastic, roughness, 1.5F, coat);
+        for (const Bsdf& bsdf : {metal, plastic}) {
+            check_bsdf(bsdf);
+            check_weights(bsdf);
+        }
+    }
+}
+
+TEST(Sampling, VariedRoughnessKeepsTheAlbedo) {
+    const RoughnessTables mirror(0);
+    const RoughnessTables coat(1.5F);
+    for (const float roughness : {0.0F, 0.02F, 0.11F, 0.172F, 0.3F, 0.484F, 0.703F, 0.95F, 1.0F})
+        for (const float cosine : {0.05F, 0.3F, 0.7F, 1.0F}) {
+            const Vec3 wo(std::sqrt(1 - cosine * cosine), 0.0F, cosine);
+            const Bsdf metal = make_varied(BsdfKind::metal, roughness, 1, mirror);
+            EXPECT_NEAR(albedo(metal, wo), 1, 0.005) << roughness << " " << cosine;
+            const Bsdf plastic = make_varied(BsdfKind::plastic, roughness, 1.5F, coat);
+            EXPECT_NEAR(albedo(plastic, wo), 1, 0.01) << roughness << " " << cosine;
+        }
 }
 
 TEST(Sampling, RoughGlassFromBothSides) {

@@ -2,6 +2,7 @@
 // Small scenes and statistics shared by the renderer's tests.
 #pragma once
 
+#include "core/random.h"
 #include "render/render.h"
 
 #include <algorithm>
@@ -49,6 +50,16 @@ inline Mesh make_plane(float size) {
     mesh.positions = {{-h, 0.0F, -h}, {-h, 0.0F, h}, {h, 0.0F, h}, {h, 0.0F, -h}};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
     return mesh;
+}
+
+inline Vec3 random_direction(Random& random) {
+    for (;;) {
+        const Vec3 v(static_cast<float>(random.uniform(-1, 1)),
+                     static_cast<float>(random.uniform(-1, 1)),
+                     static_cast<float>(random.uniform(-1, 1)));
+        if (v.length() > 0.1F && v.length() < 1)
+            return v.normalized();
+    }
 }
 
 inline Matrix move(const Vec3& by) {

@@ -7,15 +7,7 @@
 namespace scree {
 namespace {
 
-Vec3 random_direction(Random& random) {
-    for (;;) {
-        const Vec3 v(static_cast<float>(random.uniform(-1, 1)),
-                     static_cast<float>(random.uniform(-1, 1)),
-                     static_cast<float>(random.uniform(-1, 1)));
-        if (v.length() > 0.1F && v.length() < 1)
-            return v.normalized();
-    }
-}
+using test::random_direction;
 
 // Möller & Trumbore 1997, in double; infinity for a miss.
 double brute_force(const Vec3& a, const Vec3& b, const Vec3& c, const Ray& ray) {

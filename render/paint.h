@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a material's paint says of a hit: its colour, its roughness and the bend of its normal.
+#pragma once
+
+#include "render/materials.h"
+#include "render/world.h"
+
+namespace scree {
+
+/// Where a procedural is asked about a hit that was reached along `direction`: the pixel's filter,
+/// a square `footprint` wide [m] that faces the ray, laid onto the surface and taken to the
+/// object's frame. Not for hits on lights.
+ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprint);
+
+/// The shading normal over a height whose gradient in the object's frame is `slope`: heights are
+/// lengths of the object along its own normal, and turn, grow and shear with it (Mikkelsen 2010:
+/// the surface gradient).
+Vec3 bent_normal(const Hit& hit, const Vec3& slope);
+
+/// What there is to know before light.
+struct Painted {
+    Color color{0.0F, 0.0F, 0.0F};
+    float roughness = ShadingSample::unset; // the material's own
+    bool bent = false;                      // `normal` takes the place of the shading normal
+    Vec3 normal{0.0F, 0.0F, 0.0F};          // unit, on the side of the geometric normal's outside
+};
+Painted paint_at(const Paint& paint, const Hit& hit, const Vec3& direction, float footprint);
+
+} // namespace scree
