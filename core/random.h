@@ -34,10 +34,11 @@ enum class Purpose : std::uint32_t {
     element_attribute = 47,
     disk_start = 48,
     solid_lattice = 49,
-    solid_vein = 50,
-    solid_ring = 51,
-    solid_knot = 52,
-    solid_cell = 53,
+    solid_place = 50,
+    solid_vein = 51,
+    solid_ring = 52,
+    solid_knot = 53,
+    solid_cell = 54,
 };
 
 /// A stream of uniform numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et al.

@@ -3,6 +3,7 @@
 
 #include "procedurals/checker.h"
 #include "procedurals/image.h"
+#include "procedurals/solid/marble.h"
 
 namespace scree {
 
@@ -10,6 +11,7 @@ Registry<MakeProcedural> procedural_table() {
     Registry<MakeProcedural> table("procedural");
     table.add(checker_plugin());
     table.add(image_plugin());
+    table.add(marble_plugin());
     return table;
 }
 

@@ -3,8 +3,8 @@
 
 #include "procedurals/solid/lattice_text.h"
 
+#include <memory>
 #include <span>
-#include <vector>
 
 namespace scree {
 
@@ -30,7 +30,7 @@ class FractalLattice {
     /// The field through a filter `width` wide, in unit cubes; 0: all levels. Nodes of 16 bits are
     /// off by at most half of `header().step`.
     solid::Fluctuation at(const solid::Triple& place, float width = 0) const {
-        return solid::fluctuation(&header_, nodes16_.data(), nodes32_.data(), place, width);
+        return solid::fluctuation(&header_, nodes16_.get(), nodes32_.get(), place, width);
     }
 
     /// A stored node; 0 <= x, y, z <= side().
@@ -39,13 +39,14 @@ class FractalLattice {
 
     /// What the .cl text takes; one of the two arrays is empty. Order: x fastest, z slowest.
     const solid::Lattice& header() const { return header_; }
-    std::span<const std::int16_t> nodes16() const { return nodes16_; }
-    std::span<const float> nodes32() const { return nodes32_; }
+    std::span<const std::int16_t> nodes16() const { return {nodes16_.get(), nodes16_ ? count_ : 0}; }
+    std::span<const float> nodes32() const { return {nodes32_.get(), nodes32_ ? count_ : 0}; }
 
   private:
     solid::Lattice header_{};
-    std::vector<std::int16_t> nodes16_;
-    std::vector<float> nodes32_;
+    std::size_t count_; // of nodes
+    std::unique_ptr<std::int16_t[]> nodes16_;
+    std::unique_ptr<float[]> nodes32_;
 };
 
 /// Mean over space of (T_n / L_n)^2, where T_n is what level n adds: exact.

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Marble: layers of veins pushed about by the fractal field (Okada et al. 1987, eqs. 7-9 and 12).
+// Needs solid.cl.
+
+#define MARBLE_MOST_VEINS 32
+#define MARBLE_MOST_LAYERS 4
+
+// A plane layer of impurity: full within its half width, soaking out exponentially.
+typedef struct {
+    float centre;     // along the axis [m]
+    float half_width; // [m]
+    float rate;       // alpha: 1 / diffusion length [1/m]
+} Vein;
+
+typedef struct {
+    Placement placement;
+    Triple axis;      // the veins' common normal, unit
+    float start;      // the coordinate along the axis is inner(axis, position) - start [m]
+    float push;       // k: displacement along the axis per unit of D [m]
+    float period;     // [m]; 0: the veins stand there once
+    float mean;       // of the profile over a period
+    float strength;   // of the colour where the profile is 1
+    int iterations;   // of the displacement's inverse; 0: first order
+    int veins;
+    Triple color;
+    Vein vein[MARBLE_MOST_VEINS];
+} VeinLayer;
+
+typedef struct {
+    Placement cloud_placement;
+    Triple filler;
+    Triple cloud;
+    float cloudiness; // share of the cloud's colour where it is thickest
+    float depth;      // veins stand out by so much; negative: they lie deeper [m]
+    float filler_roughness; // below 0: the material's own
+    float vein_roughness;
+    int filtered;
+    int layers;
+    VeinLayer layer[MARBLE_MOST_LAYERS];
+} Marble;
+
+// One side of a vein convolved with a Gaussian: exp(-rate d) for d > 0, 0 elsewhere, where d is the
+// distance from the edge outwards. `bell` is exp(-(d / sigma)^2 / 2), which all parts share.
+static inline float soaked(float d, float rate, float sigma, float bell) {
+    const float b = rate * sigma - d / sigma;
+    if (b > 0.0f)
+        return 0.5f * scaled_erfc(b * 0.70710678f) * bell;
+    const float whole = exp(-rate * d + 0.5f * square(rate * sigma));
+    return whole - 0.5f * scaled_erfc(-b * 0.70710678f) * bell;
+}
+
+// The profile at x from a vein's middle (eq. 8), convolved with a Gaussian of that deviation; its
+// derivative goes to *slope.
+static inline float vein_profile(const Vein* vein, float x, float sigma, float* slope) {
+    const float d = fabs(x) - vein->half_width;
+    if (sigma * vein->rate < 1e-3f && sigma < 1e-3f * vein->half_width) {
+        if (d <= 0.0f)
+            return 1.0f;
+        const float g = exp(-vein->rate * d);
+        *slope += x > 0.0f ? -vein->rate * g : vein->rate * g;
+        return g;
+    }
+    const float right = x - vein->half_width, left = -x - vein->half_width; // outwards
+    const float right_bell = exp(-0.5f * square(right / sigma));
+    const float left_bell = exp(-0.5f * square(left / sigma));
+    const float right_half = 0.5f * scaled_erfc(fabs(right / sigma) * 0.70710678f) * right_bell;
+    const float left_half = 0.5f * scaled_erfc(fabs(left / sigma) * 0.70710678f) * left_bell;
+    const float inside = (right < 0.0f ? 1.0f - right_half : right_half) -
+                         (left < 0.0f ? left_half : 1.0f - left_half);
+    const float after = soaked(right, vein->rate, sigma, right_bell);
+    const float before = soaked(left, vein->rate, sigma, left_bell);
+    *slope += vein->rate * (before - after);
+    return inside + after + before;
+}
+
+// G: all veins together at z along the axis, at most 1.
+static inline float veins_profile(global const VeinLayer* layer, float z, float sigma,
+                                  float* slope) {
+    const float period = layer->period;
+    // Beyond this a Gaussian leaves less than 1e-3 of any periodic function but its mean.
+    if (period > 0.0f && sigma > 0.6f * period)
+        return layer->mean;
+    const int images = period > 0.0f && sigma > 0.1f * period ? 1 : 0;
+    float sum = 0.0f;
+    for (int i = 0; i < layer->veins; ++i) {
+        const Vein vein = layer->vein[i];
+        float x = z - vein.centre;
+        if (period > 0.0f)
+            x -= period * floor(x / period + 0.5f);
+        for (int image = -images; image <= images; ++image)
+            sum += vein_profile(&vein, x + (float)image * period, sigma, slope);
+    }
+    if (sum >= 1.0f)
+        *slope = 0.0f;
+    return fmin(sum, 1.0f);
+}
+
+// G' of one layer at a point, and its slope in the object's frame.
+static inline float layer_value(Field field, global const VeinLayer* layer, Triple position,
+                                Triple across, Triple along, float random, Triple* slope) {
+    const Placement placement = layer->placement;
+    const Triple axis = layer->axis;
+    // What is seen at Q was at the P with P + k D(P) axis = Q: P = Q - k D(Q) axis to first order,
+    // and nearer with each step of P = Q - k D(P) axis.
+    Triple p = position, u = across, v = along, gradient = axis;
+    float variance = 0.0f;
+    for (int i = 0; i <= layer->iterations; ++i) {
+        const Fluctuation d = placed_fluctuation(field, &placement, p, u, v, random);
+        const float shift = layer->push * d.value;
+        gradient = minus(axis, scaled(d.gradient, layer->push));
+        u = minus(across, scaled(axis, layer->push * inner(d.gradient, u)));
+        v = minus(along, scaled(axis, layer->push * inner(d.gradient, v)));
+        p = minus(position, scaled(axis, shift));
+        variance = square(layer->push) * d.variance;
+    }
+    variance += (square(inner(axis, u)) + square(inner(axis, v))) * (1.0f / 12.0f);
+    float steepness = 0.0f;
+    const float value =
+        veins_profile(layer, inner(axis, p) - layer->start, sqrt(variance), &steepness);
+    *slope = scaled(gradient, steepness);
+    return value;
+}
+
+static inline SolidSample marble_part(Field field, global const Marble* marble, Triple position,
+                                      Triple across, Triple along, float random) {
+    SolidSample sample = no_sample();
+    sample.color = marble->filler;
+    if (marble->cloudiness > 0.0f) {
+        const Placement placement = marble->cloud_placement;
+        const float d =
+            placed_fluctuation(field, &placement, position, across, along, random).value;
+        sample.color = mixed3(sample.color, marble->cloud,
+                              marble->cloudiness * smooth(-1.2f, 1.2f, d));
+    }
+    float clear = 1.0f; // of all veins
+    for (int i = 0; i < marble->layers; ++i) {
+        global const VeinLayer* layer = &marble->layer[i];
+        Triple slope;
+        const float value =
+            layer_value(field, layer, position, across, along, random, &slope);
+        sample.color = mixed3(sample.color, layer->color, value * layer->strength);
+        sample.slope = plus(scaled(sample.slope, 1.0f - value), scaled(slope, clear));
+        clear *= 1.0f - value;
+    }
+    sample.value = 1.0f - clear;
+    sample.height = marble->depth * sample.value;
+    sample.slope = scaled(sample.slope, marble->depth);
+    sample.roughness = mixed(marble->filler_roughness, marble->vein_roughness, sample.value);
+    return sample;
+}
+
+static inline SolidSample marble_at(Field field, global const Marble* marble, SolidPoint point) {
+    if (!marble->filtered)
+        point.across = point.along = triple(0.0f, 0.0f, 0.0f);
+    const int parts = filter_parts(point.across, point.along);
+    if (parts == 1)
+        return marble_part(field, marble, point.position, point.across, point.along,
+                           point.random);
+    SolidSample mean = no_sample();
+    const float share = 1.0f / (float)parts;
+    for (int i = 0; i < parts; ++i) {
+        const float shift = ((float)i + 0.5f) * share - 0.5f;
+        add_sample(&mean,
+                   marble_part(field, marble, plus(point.position, scaled(point.along, shift)),
+                               point.across, scaled(point.along, share), point.random),
+                   share);
+    }
+    return mean;
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all solid textures share: where they are asked, what they answer, the fractal field D placed
+// in the object, and the filters that take the place of supersampling. Needs lattice.cl.
+
+typedef struct {
+    Triple position;  // in the object's frame [m]
+    Triple across;    // the filter's two sides, at right angles [m]: see ShadingPoint
+    Triple along;
+    float random;     // of the instance, in [0, 1)
+} SolidPoint;
+
+typedef struct {
+    Triple color;
+    Triple slope; // of the bump height
+    float height; // [m]
+    float roughness; // below 0: none
+    float value;
+} SolidSample;
+
+// A lattice in the object: place = rows * position + offset, in unit cubes.
+typedef struct {
+    Triple rows[3];
+    Triple offset;
+    float vary; // 1: every instance is cut from another place
+} Placement;
+
+// The nodes of the lattice that all textures of a material share.
+typedef struct {
+    global const Lattice* lattice;
+    global const short* nodes16;
+    global const float* nodes32;
+} Field;
+
+static inline Triple turned(const Triple* rows, Triple v) {
+    return triple(inner(rows[0], v), inner(rows[1], v), inner(rows[2], v));
+}
+
+static inline Triple turned_back(const Triple* rows, Triple v) {
+    return plus(plus(scaled(rows[0], v.x), scaled(rows[1], v.y)), scaled(rows[2], v.z));
+}
+
+static inline float square(float v) { return v * v; }
+static inline float length_of(Triple v) { return sqrt(inner(v, v)); }
+static inline float limited(float v, float low, float high) { return fmin(fmax(v, low), high); }
+static inline Triple mixed3(Triple a, Triple b, float share) {
+    return plus(scaled(a, 1.0f - share), scaled(b, share));
+}
+
+// 0 below `low`, 1 above `high`, with a continuous slope between.
+static inline float smooth(float low, float high, float v) {
+    const float t = limited((v - low) / (high - low), 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+// Uniform in [0, 1) from a hash.
+static inline float unit_of(uint bits) { return (float)(bits >> 8) * 0x1p-24f; }
+
+// D where the object's point lies, its gradient in the object's frame [1/m], and the variance of
+// what a filter with these sides leaves out.
+static inline Fluctuation placed_fluctuation(Field field, const Placement* placement,
+                                             Triple position, Triple across, Triple along,
+                                             float random) {
+    Triple place = plus(turned(placement->rows, position), placement->offset);
+    if (placement->vary > 0.0f) // by numbers that agree with no period of the lattice
+        place = plus(place, triple(random * 47.31f, random * 23.17f, random * 91.73f));
+    const float wide = fmax(length_of(turned(placement->rows, across)),
+                            length_of(turned(placement->rows, along)));
+    Fluctuation found =
+        fluctuation(field.lattice, field.nodes16, field.nodes32, place, wide);
+    found.gradient = turned_back(placement->rows, found.gradient);
+    return found;
+}
+
+// Variance of a linear function with that gradient over the filter, whose sides are boxes.
+static inline float filter_variance(Triple gradient, Triple across, Triple along) {
+    return (square(inner(gradient, across)) + square(inner(gradient, along))) * (1.0f / 12.0f);
+}
+
+// exp(x^2) erfc(x) for x >= 0 within 1.5e-7 exp(x^2) (Hastings 1955; Abramowitz & Stegun 7.1.26).
+static inline float scaled_erfc(float x) {
+    const float t = 1.0f / (1.0f + 0.3275911f * x);
+    return t * (0.254829592f +
+                t * (-0.284496736f +
+                     t * (1.421413741f + t * (-1.453152027f + t * 1.061405429f))));
+}
+
+// The normal distribution's share below x, and its density, at unit variance.
+static inline float normal_share(float x) {
+    const float half = 0.5f * scaled_erfc(fabs(x) * 0.70710678f) * exp(-0.5f * x * x);
+    return x < 0.0f ? half : 1.0f - half;
+}
+static inline float normal_density(float x) { return 0.39894228f * exp(-0.5f * x * x); }
+
+// How many parts of a drawn-out filter are evaluated: enough to make each about round, since one
+// answer for all of it would leave out what its narrow side still resolves.
+static inline int filter_parts(Triple across, Triple along) {
+    const float ratio = sqrt(inner(along, along) / fmax(inner(across, across), 1e-30f));
+    const float parts = limited(floor(0.5f * ratio + 0.75f), 1.0f, 8.0f);
+    return (int)parts;
+}
+
+// Adds a share of one sample to a mean of several.
+static inline void add_sample(SolidSample* sum, SolidSample sample, float share) {
+    sum->color = plus(sum->color, scaled(sample.color, share));
+    sum->slope = plus(sum->slope, scaled(sample.slope, share));
+    sum->height += sample.height * share;
+    sum->roughness += sample.roughness * share;
+    sum->value += sample.value * share;
+}
+
+static inline SolidSample no_sample(void) {
+    SolidSample s;
+    s.color = triple(0.0f, 0.0f, 0.0f);
+    s.slope = s.color;
+    s.height = 0.0f;
+    s.roughness = 0.0f;
+    s.value = 0.0f;
+    return s;
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/device.h"
+#include "procedurals/solid/lattice_source.h"
+#include "procedurals/solid/solid_procedural.h"
+#include "procedurals/solid/solid_source.h"
+
+#include <algorithm>
+#include <string>
+
+namespace scree {
+
+namespace {
+
+// Points at a time: some tens of megabytes on the device.
+constexpr std::size_t batch = std::size_t(1) << 18;
+
+std::string program(const SolidKernel& kernel) {
+    const std::string settings = kernel.settings_type;
+    return std::string(lattice_source) + solid_source + kernel.source +
+           "kernel void scree_bake(global const SolidPoint* points, global SolidSample* samples,\n"
+           "    global const " +
+           settings +
+           "* settings, global const Lattice* lattice,\n"
+           "    global const short* nodes16, global const float* nodes32) {\n"
+           "    const size_t i = get_global_id(0);\n"
+           "    Field field;\n"
+           "    field.lattice = lattice;\n"
+           "    field.nodes16 = nodes16;\n"
+           "    field.nodes32 = nodes32;\n"
+           "    samples[i] = " +
+           kernel.function + "(field, settings, points[i]);\n}\n";
+}
+
+/// A buffer that holds `data`, or a few bytes in place of none, which OpenCL does not have.
+template <class T>
+Device::BufferHandle uploaded(Device& device, std::span<const T> data) {
+    const Device::BufferHandle buffer =
+        device.allocate(std::max(data.size_bytes(), std::size_t(16)));
+    if (!data.empty())
+        device.write(buffer, data.data(), data.size_bytes());
+    return buffer;
+}
+
+} // namespace
+
+void run_solid_kernel(Device& device, const SolidKernel& kernel,
+                      std::span<const std::byte> settings, const FractalLattice& lattice,
+                      std::span<const ShadingPoint> points, std::span<ShadingSample> samples) {
+    const std::string source = program(kernel);
+    const Device::BufferHandle settings_buffer = uploaded(device, settings);
+    const Device::BufferHandle header = uploaded(device, std::span(&lattice.header(), 1));
+    const Device::BufferHandle nodes16 = uploaded(device, lattice.nodes16());
+    const Device::BufferHandle nodes32 = uploaded(device, lattice.nodes32());
+    const std::size_t most = std::min(batch, points.size());
+    const Device::BufferHandle in = device.allocate(most * sizeof(solid::SolidPoint));
+    const Device::BufferHandle out = device.allocate(most * sizeof(solid::SolidSample));
+    const Device::Argument arguments[] = {in, out, settings_buffer, header, nodes16, nodes32};
+    std::vector<solid::SolidPoint> sent(most);
+    std::vector<solid::SolidSample> found(most);
+    for (std::size_t first = 0; first < points.size(); first += batch) {
+        const std::size_t count = std::min(batch, points.size() - first);
+        std::transform(points.begin() + std::ptrdiff_t(first),
+                       points.begin() + std::ptrdiff_t(first + count), sent.begin(), solid_point);
+        device.write(in, sent.data(), count * sizeof(solid::SolidPoint));
+        device.run(source, "scree_bake", {&count, 1}, arguments);
+        device.read(out, found.data(), count * sizeof(solid::SolidSample));
+        std::transform(found.begin(), found.begin() + std::ptrdiff_t(count),
+                       samples.begin() + std::ptrdiff_t(first), shading_sample);
+    }
+}
+
+} // namespace scree

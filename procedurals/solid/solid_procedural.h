@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A solid texture that is a function of its .cl text: evaluated on the host at shading time, and
+// there or on an OpenCL device for baking.
+#pragma once
+
+#include "core/procedural.h"
+#include "procedurals/solid/fractal_lattice.h"
+#include "procedurals/solid/solid_text.h"
+
+namespace scree {
+
+/// What a device needs beside the settings: the texture's own .cl text and its function there.
+struct SolidKernel {
+    const char* source;
+    const char* settings_type;
+    const char* function;
+};
+
+inline solid::SolidPoint solid_point(const ShadingPoint& point) {
+    const auto triple = [](const Vec3& v) { return solid::Triple{v.x, v.y, v.z}; };
+    return {triple(point.position), triple(point.across), triple(point.along), point.random};
+}
+
+inline ShadingSample shading_sample(const solid::SolidSample& sample) {
+    const auto vec = [](const solid::Triple& t) { return Vec3(t.x, t.y, t.z); };
+    return {vec(sample.color), sample.height, vec(sample.slope),
+            sample.roughness < 0 ? ShadingSample::unset : sample.roughness, sample.value};
+}
+
+/// Evaluates a texture on a device. Throws Error (resource) when that fails.
+void run_solid_kernel(Device& device, const SolidKernel& kernel,
+                      std::span<const std::byte> settings, const FractalLattice& lattice,
+                      std::span<const ShadingPoint> points, std::span<ShadingSample> samples);
+
+/// `Function(field, settings, point)` is the text's function.
+template <class Settings, auto Function>
+class SolidProcedural : public Procedural {
+  public:
+    SolidProcedural(std::shared_ptr<const FractalLattice> lattice, const Settings& settings,
+                    const SolidKernel& kernel)
+        : lattice_(std::move(lattice)), settings_(settings), kernel_(kernel) {}
+
+    bool solid() const override { return true; }
+
+    void evaluate(std::span<const ShadingPoint> points,
+                  std::span<ShadingSample> samples) const override {
+        const solid::Field field{&lattice_->header(), lattice_->nodes16().data(),
+                                 lattice_->nodes32().data()};
+        for (std::size_t i = 0; i < points.size(); ++i)
+            samples[i] = shading_sample(Function(field, &settings_, solid_point(points[i])));
+    }
+
+    void bake(std::span<const ShadingPoint> points, std::span<ShadingSample> samples,
+              Device* device) const override {
+        if (device == nullptr)
+            Procedural::bake(points, samples, nullptr);
+        else
+            run_solid_kernel(*device, kernel_, std::as_bytes(std::span(&settings_, 1)), *lattice_,
+                             points, samples);
+    }
+
+  private:
+    std::shared_ptr<const FractalLattice> lattice_;
+    Settings settings_;
+    SolidKernel kernel_;
+};
+
+} // namespace scree
