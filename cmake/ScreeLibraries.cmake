@@ -15,6 +15,7 @@ find_package(tinyobjloader CONFIG REQUIRED)
 find_package(TinyGLTF CONFIG REQUIRED)
 find_package(pugixml CONFIG REQUIRED)
 find_package(PkgConfig REQUIRED)
+pkg_check_modules(libhwy REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(librsvg REQUIRED IMPORTED_TARGET librsvg-2.0>=2.52)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 

@@ -39,10 +39,10 @@ Lattice make_header(const LatticeSettings& settings) {
 FractalLattice::FractalLattice(const LatticeSettings& settings)
     : header_(make_header(settings)), count_(node_count(header_.levels)) {
     if (settings.sixteen_bit) {
-        nodes16_ = std::make_unique_for_overwrite<std::int16_t[]>(count_ + node_padding);
+        nodes16_ = large_array<std::int16_t>(count_ + node_padding);
         make_nodes(header_, nodes16_.get());
     } else {
-        nodes32_ = std::make_unique_for_overwrite<float[]>(count_ + node_padding);
+        nodes32_ = large_array<float>(count_ + node_padding);
         make_nodes(header_, nodes32_.get());
     }
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "procedurals/solid/large_array.h"
 #include "procedurals/solid/lattice_text.h"
 
-#include <memory>
 #include <span>
 
 namespace scree {
@@ -39,14 +39,16 @@ class FractalLattice {
 
     /// What the .cl text takes; one of the two arrays is empty. Order: x fastest, z slowest.
     const solid::Lattice& header() const { return header_; }
-    std::span<const std::int16_t> nodes16() const { return {nodes16_.get(), nodes16_ ? count_ : 0}; }
+    std::span<const std::int16_t> nodes16() const {
+        return {nodes16_.get(), nodes16_ ? count_ : 0};
+    }
     std::span<const float> nodes32() const { return {nodes32_.get(), nodes32_ ? count_ : 0}; }
 
   private:
     solid::Lattice header_{};
     std::size_t count_; // of nodes
-    std::unique_ptr<std::int16_t[]> nodes16_;
-    std::unique_ptr<float[]> nodes32_;
+    LargeArray<std::int16_t> nodes16_;
+    LargeArray<float> nodes32_;
 };
 
 /// Mean over space of (T_n / L_n)^2, where T_n is what level n adds: exact.

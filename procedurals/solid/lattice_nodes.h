@@ -24,9 +24,9 @@ void make_nodes(const solid::Lattice& header, float* nodes);
 /// last are ever held as floats.
 void make_nodes(solid::Lattice& header, std::int16_t* nodes);
 
-/// The unit of 16-bit nodes when `largest` is the greatest size of a node of any level but the last:
-/// what the last can add is bounded, as no variate is beyond 5.42 and the centre of a cube leans on
-/// those of its faces, and these on those of its edges.
+/// The unit of 16-bit nodes when `largest` is the greatest size of a node of any level but the
+/// last: what the last can add is bounded, as no variate is beyond 5.42 and the centre of a cube
+/// leans on those of its faces, and these on those of its edges.
 inline float step_of_nodes(const solid::Lattice& header, float largest) {
     constexpr float most = 3 * 5.42F;
     const float last = header.levels > 0 ? most * header.spread[header.levels] : 0;

@@ -2,12 +2,12 @@
 // The lattice's nodes, row by row in vectors. Each level is made from the one before into an array
 // of its own, plane by plane: rows are kept apart into even and odd nodes, so that whatever a node
 // leans on lies side by side in memory, and woven together when they are written.
+#include "procedurals/solid/large_array.h"
 #include "procedurals/solid/lattice_nodes.h"
 #include "procedurals/solid/vector_path.h"
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -22,6 +22,13 @@ HWY_BEFORE_NAMESPACE();
 namespace scree::HWY_NAMESPACE {
 
 using solid::Lattice;
+
+#if HWY_TARGET == HWY_SCALAR // no vectors at all
+
+void make_floats(const Lattice& header, float* nodes) { make_nodes_plainly(header, nodes); }
+void make_shorts(Lattice& header, std::int16_t* nodes) { make_nodes_plainly(header, nodes); }
+
+#else
 
 using Reals = hn::ScalableTag<float>;
 using Words = hn::RebindToUnsigned<Reals>;
@@ -57,15 +64,16 @@ class LevelPlanes {
         const float* coarse = coarse_ + z / 2 * (cells_ + 1) * (cells_ + 1);
         for (std::size_t y = 0; y < size(); y += 2) {
             const float* even = coarse + y / 2 * (cells_ + 1);
-            const std::uint32_t bits = row_bits(y, z);
-            plane.rows[y] = {even, add_odd(plane, y, bits, {even, even + 1})};
+            float* odd = plane.memory.data() + (2 * y + 1) * pitch_;
+            draw_odd(row_bits(y, z), odd);
+            add_mean<2>({even, even + 1}, odd);
+            plane.rows[y] = {even, odd};
         }
         for (std::size_t y = 1; y < size(); y += 2) {
             const auto [near, far] = std::pair(plane.rows[y - 1], plane.rows[y + 1]);
-            const std::uint32_t bits = row_bits(y, z);
-            const float* even = add_even(plane, y, bits, {near.even, far.even});
-            plane.rows[y] = {even,
-                             add_odd(plane, y, bits, {even, even + 1, near.odd, far.odd})};
+            const auto [even, odd] = draw(plane, y, z);
+            add_mean_to_ends<2>({near.even, far.even}, even);
+            add_mean<4>({even, even + 1, near.odd, far.odd}, odd);
         }
     }
 
@@ -73,18 +81,16 @@ class LevelPlanes {
     void make_odd(std::size_t z, const Plane& before, const Plane& after, Plane& plane) const {
         for (std::size_t y = 0; y < size(); y += 2) {
             const auto [low, high] = std::pair(before.rows[y], after.rows[y]);
-            const std::uint32_t bits = row_bits(y, z);
-            const float* even = add_even(plane, y, bits, {low.even, high.even});
-            plane.rows[y] = {even, add_odd(plane, y, bits, {even, even + 1, low.odd, high.odd})};
+            const auto [even, odd] = draw(plane, y, z);
+            add_mean_to_ends<2>({low.even, high.even}, even);
+            add_mean<4>({even, even + 1, low.odd, high.odd}, odd);
         }
         for (std::size_t y = 1; y < size(); y += 2) {
             const auto [near, far] = std::pair(plane.rows[y - 1], plane.rows[y + 1]);
             const auto [low, high] = std::pair(before.rows[y], after.rows[y]);
-            const std::uint32_t bits = row_bits(y, z);
-            const float* even =
-                add_even(plane, y, bits, {near.even, far.even, low.even, high.even});
-            plane.rows[y] = {even, add_odd(plane, y, bits,
-                                           {even, even + 1, near.odd, far.odd, low.odd, high.odd})};
+            const auto [even, odd] = draw(plane, y, z);
+            add_mean_to_ends<4>({near.even, far.even, low.even, high.even}, even);
+            add_mean<6>({even, even + 1, near.odd, far.odd, low.odd, high.odd}, odd);
         }
     }
 
@@ -95,62 +101,73 @@ class LevelPlanes {
                                static_cast<std::uint32_t>(z) & mask_);
     }
 
-    template <std::size_t sources> using From = std::array<const float*, sources>;
-
-    template <std::size_t sources> static float mean_of(const From<sources>& from, std::size_t i) {
-        float sum = from[0][i] + from[1][i];
-        for (std::size_t pair = 2; pair < sources; pair += 2)
-            sum += from[pair][i] + from[pair + 1][i];
-        return sum * (1.0F / static_cast<float>(sources));
+    /// A row's variates, in the place where its nodes will stand.
+    std::pair<float*, float*> draw(Plane& plane, std::size_t y, std::size_t z) const {
+        float* even = plane.memory.data() + 2 * y * pitch_;
+        float* odd = even + pitch_;
+        const std::uint32_t row = row_bits(y, z);
+        const std::uint32_t other = solid::scramble(row + lattice_.key_b);
+        draw<2>(row, other, {even, odd});
+        const auto last = static_cast<std::uint32_t>(2 * cells_); // one more than there are cells
+        even[cells_] = lattice_.repeats != 0
+                           ? even[0]
+                           : solid::normal_variate(solid::node_bits(row, other, last));
+        plane.rows[y] = {even, odd};
+        return {even, odd};
     }
 
-    /// The mean of the sources plus g L, for one node to a cell, from x = `first`.
-    template <std::size_t sources>
-    HWY_INLINE void add(const From<sources>& from, std::uint32_t first, std::uint32_t row,
-                        float* nodes) const {
+    void draw_odd(std::uint32_t row, float* odd) const {
+        draw<1>(row + 0x9e3779b1U, solid::scramble(row + lattice_.key_b), {odd});
+    }
+
+    /// Variates from x = 0 on: nodes of x = 0, 2, ... to the first place, 1, 3, ... to the second.
+    template <std::size_t places>
+    HWY_INLINE void draw(std::uint32_t row, std::uint32_t other_bits,
+                         const std::array<float*, places>& to) const {
         const Reals d;
         const Words du;
-        const auto step = static_cast<std::uint32_t>(hn::Lanes(d));
+        const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
+        const auto other = hn::Set(du, other_bits);
+        const auto next = hn::Set(du, 0x9e3779b1U), further = hn::Set(du, 2 * lanes * 0x9e3779b1U);
+        auto place =
+            hn::Add(hn::Mul(hn::Iota(du, 0), hn::Set(du, 2 * 0x9e3779b1U)), hn::Set(du, row));
+        for (std::size_t i = 0; i < cells_; i += lanes, place = hn::Add(place, further)) {
+            hn::StoreU(normal_variate(d, node_bits(du, place, other)), d, to[0] + i);
+            if constexpr (places == 2)
+                hn::StoreU(normal_variate(d, node_bits(du, hn::Add(place, next), other)), d,
+                           to[1] + i);
+        }
+    }
+
+    template <std::size_t sources>
+    using From = std::array<const float*, sources>;
+
+    /// The mean of the sources plus g L, where the variates g stand.
+    template <std::size_t sources>
+    HWY_INLINE void add_mean(const From<sources>& from, float* nodes) const {
+        const Reals d;
         const auto share = hn::Set(d, 1.0F / static_cast<float>(sources));
         const auto spread = hn::Set(d, lattice_.spread[level_]);
-        const auto other = hn::Set(du, solid::scramble(row + lattice_.key_b));
-        auto place = hn::Add(hn::Mul(hn::Iota(du, 0), hn::Set(du, 2 * 0x9e3779b1U)),
-                             hn::Set(du, first * 0x9e3779b1U + row));
-        const auto further = hn::Set(du, 2 * step * 0x9e3779b1U);
-        for (std::size_t i = 0; i < cells_; i += step, place = hn::Add(place, further)) {
+        for (std::size_t i = 0; i < cells_; i += hn::Lanes(d)) {
             auto sum = hn::Add(hn::LoadU(d, from[0] + i), hn::LoadU(d, from[1] + i));
             for (std::size_t pair = 2; pair < sources; pair += 2)
-                sum = hn::Add(sum, hn::Add(hn::LoadU(d, from[pair] + i),
-                                           hn::LoadU(d, from[pair + 1] + i)));
-            const auto g = normal_variate(d, node_bits(du, place, other));
-            hn::StoreU(hn::Add(hn::Mul(sum, share), hn::Mul(g, spread)), d, nodes + i);
+                sum = hn::Add(
+                    sum, hn::Add(hn::LoadU(d, from[pair] + i), hn::LoadU(d, from[pair + 1] + i)));
+            hn::StoreU(hn::Add(hn::Mul(sum, share), hn::Mul(hn::LoadU(d, nodes + i), spread)), d,
+                       nodes + i);
         }
     }
 
+    /// The same, for one node more.
     template <std::size_t sources>
-    const float* add_even(Plane& plane, std::size_t y, std::uint32_t row,
-                          const float* const (&sources_)[sources]) const {
-        float* nodes = plane.memory.data() + 2 * y * pitch_;
-        const auto from = std::to_array(sources_);
-        add<sources>(from, 0, row, nodes);
-        if (lattice_.repeats != 0) {
-            nodes[cells_] = nodes[0];
-        } else { // one node more than there are cells
-            const std::uint32_t other = solid::scramble(row + lattice_.key_b);
-            const auto last = static_cast<std::uint32_t>(2 * cells_);
-            nodes[cells_] = mean_of<sources>(from, cells_) +
-                            solid::normal_variate(solid::node_bits(row, other, last)) *
-                                lattice_.spread[level_];
-        }
-        return nodes;
-    }
-
-    template <std::size_t sources>
-    const float* add_odd(Plane& plane, std::size_t y, std::uint32_t row,
-                         const float* const (&sources_)[sources]) const {
-        float* nodes = plane.memory.data() + (2 * y + 1) * pitch_;
-        add<sources>(std::to_array(sources_), 1, row, nodes);
-        return nodes;
+    HWY_INLINE void add_mean_to_ends(const From<sources>& from, float* nodes) const {
+        float sum = from[0][cells_] + from[1][cells_];
+        for (std::size_t pair = 2; pair < sources; pair += 2)
+            sum += from[pair][cells_] + from[pair + 1][cells_];
+        const float last =
+            sum * (1.0F / static_cast<float>(sources)) + nodes[cells_] * lattice_.spread[level_];
+        add_mean(from, nodes);
+        nodes[cells_] = last;
     }
 
     const Lattice& lattice_;
@@ -175,6 +192,11 @@ struct WriteFloats {
     }
 };
 
+HWY_INLINE std::int16_t rounded(float v) {
+    const hn::CappedTag<float, 1> d;
+    return static_cast<std::int16_t>(hn::GetLane(hn::NearestInt(hn::Set(d, v))));
+}
+
 /// Weaves rows rounded to 16 bits: the odd node is the upper half of a 32-bit word.
 struct WriteShorts {
     std::int16_t* nodes;
@@ -189,11 +211,10 @@ struct WriteShorts {
         for (std::size_t i = 0; i < cells; i += hn::Lanes(d)) {
             const auto even = hn::NearestInt(hn::Mul(hn::LoadU(d, row.even + i), scale));
             const auto odd = hn::NearestInt(hn::Mul(hn::LoadU(d, row.odd + i), scale));
-            hn::StoreU(
-                hn::BitCast(d16, hn::Or(hn::And(even, low), hn::ShiftLeft<16>(odd))), d16,
-                nodes + 2 * i);
+            hn::StoreU(hn::BitCast(d16, hn::Or(hn::And(even, low), hn::ShiftLeft<16>(odd))), d16,
+                       nodes + 2 * i);
         }
-        nodes[2 * cells] = static_cast<std::int16_t>(std::lrint(row.even[cells] * inverse));
+        nodes[2 * cells] = rounded(row.even[cells] * inverse);
         nodes += 2 * cells + 1;
     }
 };
@@ -219,12 +240,12 @@ void make_level(const Lattice& lattice, int level, const float* coarse, Write wr
 }
 
 /// All levels up to `last`; at least the corners.
-std::unique_ptr<float[]> levels_up_to(const Lattice& header, int last) {
-    auto nodes = std::make_unique<float[]>(8 + node_padding);
+LargeArray<float> levels_up_to(const Lattice& header, int last) {
+    LargeArray<float> nodes = large_array<float>(8 + node_padding);
     for (std::uint32_t corner = 0; corner < 8; ++corner)
         nodes[corner] = corner_node(header, corner & 1, (corner >> 1) & 1, corner >> 2);
     for (int level = 1; level <= last; ++level) {
-        auto finer = std::make_unique_for_overwrite<float[]>(node_count(level) + node_padding);
+        LargeArray<float> finer = large_array<float>(node_count(level) + node_padding);
         make_level(header, level, nodes.get(), WriteFloats{finer.get()});
         nodes = std::move(finer);
     }
@@ -260,8 +281,10 @@ void make_shorts(Lattice& header, std::int16_t* nodes) {
         make_level(header, header.levels, coarse.get(), WriteShorts{nodes, inverse});
     else
         for (std::size_t i = 0; i < 8; ++i)
-            nodes[i] = static_cast<std::int16_t>(std::lrint(coarse[i] * inverse));
+            nodes[i] = rounded(coarse[i] * inverse);
 }
+
+#endif
 
 } // namespace scree::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

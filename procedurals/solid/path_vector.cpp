@@ -16,7 +16,8 @@ bool scalar = false;
 std::vector<std::string> vector_paths() {
     std::vector<std::string> names;
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
-        names.emplace_back(hwy::TargetName(target));
+        if (target != HWY_SCALAR)
+            names.emplace_back(hwy::TargetName(target));
     names.emplace_back("scalar");
     return names;
 }

@@ -107,6 +107,9 @@ const std::vector<Door>& doors() {
         {"nlohmann-json", "^nlohmann/", {"formats/", "scenes/reader/", "app/", "tests/"}},
         {"CLI11", "^CLI/", {"app/"}},
         {"oneTBB", "^(tbb|oneapi)/", {"core/parallel.h"}},
+        {"Highway",
+         "^hwy/",
+         {"procedurals/solid/lattice_vector.cpp", "procedurals/solid/path_vector.cpp"}},
         {"Random123", "^Random123/", {"core/random.h", "tests/unit/core_test.cpp"}},
     };
     return table;
