@@ -39,6 +39,8 @@ Plugin<MakeMesh> cylinder_component();
 Plugin<MakeMesh> cone_component();
 Plugin<MakeMesh> ring_component();
 Plugin<MakeMesh> pin_component();
+Plugin<MakeMesh> cut_sphere_component();
+Plugin<MakeMesh> lathe_component();
 
 Plugin<MakeMesh> rice_component();
 Plugin<MakeMesh> banana_component();
@@ -53,6 +55,7 @@ Plugin<MakeMesh> star_component();
 Plugin<MakeMesh> heart_component();
 Plugin<MakeMesh> crescent_component();
 Plugin<MakeMesh> letter_component();
+Plugin<MakeMesh> text_component();
 
 Plugin<MakeMesh> sheet_component();
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 
 namespace scree {
 namespace {
@@ -216,6 +217,104 @@ TEST(Components, RoundVolumes) {
     EXPECT_NEAR(volume(make("cone", {{"radius", 0.5}, {"height", 2.0}, {"rounding", 0.0}})) /
                     (pi * 0.25 * 2 / 3),
                 1, 0.005);
+}
+
+std::vector<Vec2> turned(const std::vector<Vec2>& profile) {
+    return {profile.rbegin(), profile.rend()};
+}
+
+// Exact for the polygon that is turned, times the share of a circle that its polygon fills.
+TEST(Components, LatheVolumes) {
+    const int segments = 180;
+    const double share = segments / (2 * pi) * std::sin(2 * pi / segments);
+    const auto volume_of = [&](const std::vector<Vec2>& profile, bool closed, bool spline) {
+        double first = 0;
+        for (const auto& points : {profile, turned(profile)}) { // either way round
+            const Mesh mesh = make("lathe", {{"profile", points},
+                                             {"closed", closed},
+                                             {"spline", spline},
+                                             {"steps", std::int64_t{40}},
+                                             {"segments", std::int64_t{segments}}});
+            expect_sound(mesh, "lathe");
+            EXPECT_LT(area_of_wrong_normals(mesh), 1e-3 * area(mesh));
+            if (first > 0) {
+                EXPECT_NEAR(volume(mesh) / first, 1, 1e-5);
+            }
+            first = volume(mesh);
+        }
+        return first / share;
+    };
+    // A cylinder whose ends are closed by discs, a cone, a tube, and a ring of square section.
+    EXPECT_NEAR(volume_of({{0.5, 0}, {0.5, 2}}, false, false), pi * 0.25 * 2, 1e-5);
+    EXPECT_NEAR(volume_of({{0.5, 0}, {0, 2}, {0, 2}}, false, true), pi * 0.25 * 2 / 3, 1e-5);
+    const std::vector<Vec2> square{{0.3, 0}, {0.5, 0}, {0.5, 0.2}, {0.3, 0.2}};
+    EXPECT_NEAR(volume_of(square, true, false), pi * (0.25 - 0.09) * 0.2, 1e-6);
+    std::vector<Vec2> corners;
+    for (const Vec2& p : square)
+        corners.insert(corners.end(), {p, p});
+    EXPECT_NEAR(volume_of(corners, true, true), pi * (0.25 - 0.09) * 0.2, 1e-6);
+    // Through points of a circle the spline is nearly round: a torus and a ball.
+    std::vector<Vec2> ring;
+    std::vector<Vec2> half;
+    for (int i = 0; i < 24; ++i) {
+        const double angle = 2 * pi * i / 24;
+        ring.emplace_back(0.5 + 0.2 * std::cos(angle), 0.2 * std::sin(angle));
+        if (i <= 12)
+            half.emplace_back(i % 12 == 0 ? 0.0 : std::sin(angle), -std::cos(angle));
+    }
+    EXPECT_NEAR(volume_of(ring, true, true) / (2 * pi * pi * 0.5 * 0.04), 1, 2e-3);
+    EXPECT_NEAR(volume_of(half, false, true) / (4.0 / 3 * pi), 1, 2e-3);
+    EXPECT_NEAR(bounds(make("lathe", {{"profile", half}, {"height", 7.0}})).size().y, 7, 1e-5);
+}
+
+// A repeated point is a sharp edge, any other is smooth, and the axis is met at a right angle.
+TEST(Components, LatheCorners) {
+    const std::vector<Vec2> profile{{0, 0}, {0.4, 0}, {0.4, 0}, {0.5, 0.5}, {0.4, 1}, {0, 1.2}};
+    const Mesh mesh = make("lathe", {{"profile", profile}});
+    std::map<float, std::vector<Vec3>> normals; // of one meridian, by height
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        if (mesh.uvs[i].x == 0)
+            normals[mesh.positions[i].y].push_back(mesh.normals[i]);
+    EXPECT_EQ(normals.begin()->second.size(), 3U); // centre, and both sides of the edge
+    EXPECT_EQ(normals.begin()->second[1].y, -1.0F);
+    EXPECT_GT(normals.begin()->second[2].x, 0.9F);
+    EXPECT_EQ(normals[0.5F].size(), 1U);
+    EXPECT_EQ(normals.rbegin()->second.front().y, 1.0F);
+}
+
+TEST(Components, CutSphereVolumes) {
+    const double ball = 4.0 / 3 * pi;
+    const auto volume_of = [&](double degrees, double floor) {
+        const Mesh mesh = make("cut_sphere", {{"radius", 1.0},
+                                              {"angle", radians(degrees)},
+                                              {"floor", floor},
+                                              {"segments", std::int64_t{256}}});
+        expect_sound(mesh, "cut_sphere");
+        EXPECT_LT(area_of_wrong_normals(mesh), 1e-3 * area(mesh));
+        return volume(mesh);
+    };
+    EXPECT_NEAR(volume_of(90, 0), 7.0 / 8 * ball, 2e-3);
+    EXPECT_NEAR(volume_of(90, -1), 3.0 / 4 * ball, 2e-3);
+    EXPECT_NEAR(volume_of(200, -1), 160.0 / 360 * ball, 2e-3);
+    const double cap = pi * 0.25 * (1 - 0.5 / 3); // of height 0.5
+    EXPECT_NEAR(volume_of(120, 0.5), ball - cap / 3, 2e-3);
+}
+
+TEST(Components, TextIsItsLettersInARow) {
+    const Mesh word = make("text", {{"text", std::string("na goya")}, {"bevel", 0.0}});
+    double sum = 0;
+    for (const char c : std::string("NAGOYA")) {
+        const Vec3 size = bounds(make("letter", {{"letter", std::string(1, c)}})).size();
+        sum += double(size.x);
+    }
+    const Vec3 size = bounds(word).size();
+    EXPECT_NEAR(double(size.x), sum + 0.06 * (5 * 0.13 + 3.0 / 7), 1e-5);
+    EXPECT_NEAR(size.y, 0.06F, 1e-6F);
+    EXPECT_NEAR(size.z, 1.6F / 7 * 0.06F, 1e-6F);
+    const Mesh lying = make("text", {{"text", std::string("L")}, {"pose", std::string("lying")}});
+    const Mesh letter = make("letter", {{"letter", std::string("L")}});
+    EXPECT_NEAR(volume(lying), volume(letter), 1e-3 * volume(letter));
+    EXPECT_EQ(bounds(lying).size(), bounds(letter).size());
 }
 
 TEST(Components, LongestSideIsTheLength) {

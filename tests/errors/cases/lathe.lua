@@ -1,0 +1,16 @@
+local function turned(profile, closed)
+  return object { shape = mesh.lathe { profile = profile, closed = closed } }
+end
+return scene {
+  objects = {
+    turned({ { 0, 0 }, { 0, 0 } }),
+    turned({ { 0.1, 0 }, { 0.2, 0 }, { 0.1, 0 } }, true),
+    turned({ { 0, 0 }, { -0.1, 0.1 }, { 0, 0.2 } }),
+    turned({ { 0, 0 }, { 0.1, 0.1 }, { 0, 0.15 }, { 0.1, 0.2 } }),
+    turned({ { 0, 0 }, { 0.1, 0 }, { 0.1, 0.1 } }, true),
+    turned({ { 0, 0 }, { 0.2, 0.1 }, { 0.1, 0.1 }, { 0.2, 0 }, { 0, 0.3 } }),
+    turned({ { 0.3, 0 }, { 0.001, 0.1 }, { 0.001, 0.12 }, { 0.3, 0.3 } }),
+    object { shape = mesh.text { text = "NAGOYA!" } },
+    object { shape = mesh.text { text = "  " } },
+  },
+}
