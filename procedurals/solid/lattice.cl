@@ -257,6 +257,21 @@ static inline void add_field(Fluctuation* sum, Fluctuation field, float share) {
     sum->gradient = plus(sum->gradient, scaled(field.gradient, share));
 }
 
+// Adds the levels `first` to `last`, and a share of the next one.
+static inline void add_levels_plainly(global const Lattice* lattice, int first, int last,
+                                      float share, Triple p, Fluctuation* sum) {
+    for (int level = first; level <= last; ++level)
+        add_field(sum, level_field(lattice, level, p), lattice->spread[level]);
+    if (share > 0.0f)
+        add_field(sum, level_field(lattice, last + 1, p), share * lattice->spread[last + 1]);
+}
+#ifdef LATTICE_TEXT_ON_HOST // in vectors, to the same bits: levels_vector.cpp
+void add_levels(const Lattice* lattice, int first, int last, float share, Triple p,
+                Fluctuation* sum);
+#else
+#define add_levels add_levels_plainly
+#endif
+
 // Whether the stored nodes hold the cube of a place.
 static inline int is_stored(global const Lattice* lattice, Triple p) {
     return lattice->levels > 0 &&
@@ -303,10 +318,8 @@ static inline Fluctuation fluctuation(global const Lattice* lattice, global cons
     } else {
         sum = corner_field(lattice, p);
     }
-    for (int level = done + 1; level <= whole; ++level)
-        add_field(&sum, level_field(lattice, level, p), lattice->spread[level]);
-    if (share > 0.0f && !(done < lattice->levels && is_stored(lattice, p)))
-        add_field(&sum, level_field(lattice, whole + 1, p), share * lattice->spread[whole + 1]);
+    add_levels(lattice, done + 1, whole,
+               done < lattice->levels && is_stored(lattice, p) ? 0.0f : share, p, &sum);
     // A level taken by a share a is taken for its mean over the filter, of variance a^2; the rest
     // of its variance lies within.
     const float next = whole < lattice->finest ? lattice->spread[whole + 1] : 0.0f;

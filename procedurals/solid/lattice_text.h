@@ -4,7 +4,9 @@
 #include "procedurals/solid/text_as_cpp.h"
 
 #define global
+#define LATTICE_TEXT_ON_HOST
 namespace scree::solid {
 #include "procedurals/solid/lattice.cl"
 } // namespace scree::solid
+#undef LATTICE_TEXT_ON_HOST
 #undef global

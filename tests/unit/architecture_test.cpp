@@ -109,7 +109,8 @@ const std::vector<Door>& doors() {
         {"oneTBB", "^(tbb|oneapi)/", {"core/parallel.h"}},
         {"Highway",
          "^hwy/",
-         {"procedurals/solid/lattice_vector.cpp", "procedurals/solid/path_vector.cpp"}},
+         {"procedurals/solid/lattice_vector.cpp", "procedurals/solid/levels_vector.cpp",
+          "procedurals/solid/path_vector.cpp"}},
         {"Random123", "^Random123/", {"core/random.h", "tests/unit/core_test.cpp"}},
     };
     return table;
