@@ -15,7 +15,7 @@ Mesh letter(const Params& params) {
     if (text.size() == 1)
         rings = glyph_rings(char(std::toupper(static_cast<unsigned char>(text.front()))));
     if (rings.empty())
-        throw params.error("letter", "\"" + text + "\" is not one of A to Z and 0 to 9");
+        throw params.error("letter", "\"" + text + "\" is not one of A to Z, 0 to 9, . and -");
     const double unit = params.number("size") / glyph_height;
     for (Ring& ring : rings)
         for (Vec2& p : ring)
@@ -30,7 +30,7 @@ Plugin<MakeMesh> letter_component() {
     return component("letter", "A block letter or digit lying on its back, readable from above.",
                      {{.name = "letter",
                        .type = ParamType::text,
-                       .doc = "One of A to Z or 0 to 9.",
+                       .doc = "One of A to Z, 0 to 9, . or -.",
                        .fallback = std::string("A")},
                       metres("size", "Height of a capital.", 0.06),
                       optional_metres("height", "Thickness; 0.23 of the size by default.")},

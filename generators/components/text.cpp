@@ -43,7 +43,7 @@ Mesh text(const Params& params) {
             glyph_rings(char(std::toupper(static_cast<unsigned char>(character))));
         if (rings.empty())
             throw params.error("text", "\"" + params.text("text") +
-                                           "\" has characters other than A to Z, 0 to 9 and space");
+                                           "\" has characters other than A to Z, 0 to 9, . and -");
         const Extent extent = extent_of(rings);
         for (Ring& ring : rings)
             for (Vec2& p : ring)
@@ -68,7 +68,7 @@ Plugin<MakeMesh> text_component() {
         "text", "A word of block letters as one body, as if cut from one block.",
         {{.name = "text",
           .type = ParamType::text,
-          .doc = "Letters A to Z, digits and spaces.",
+          .doc = "Of A to Z, 0 to 9, ., - and spaces.",
           .fallback = std::string("SCREE")},
          metres("size", "Height of a capital.", 0.06),
          optional_metres("height", "Thickness; 0.23 of the size by default."),
