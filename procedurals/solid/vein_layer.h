@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/params.h"
+#include "core/random.h"
+#include "procedurals/solid/marble_presets.h"
+#include "procedurals/solid/marble_text.h"
+
+namespace scree {
+
+/// Fills the layer with veins of uneven widths at uneven distances, which repeat after `size` [m].
+void scatter_veins(solid::VeinLayer& layer, const MarbleVeins& veins, double size, Random& random);
+
+/// Fills it with those of the parameter `veins`, which stand there once, as in the paper; what one
+/// leaves out is that of `defaults`. Throws Error when there are too many.
+void list_veins(solid::VeinLayer& layer, const Params& params, const MarbleVeins& defaults);
+
+/// Measures what the filters must know of the finished layer: its mean, and where the veins
+/// together have more than 1.
+void measure_profile(solid::VeinLayer& layer);
+
+} // namespace scree
