@@ -19,6 +19,17 @@ pkg_check_modules(libhwy REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(librsvg REQUIRED IMPORTED_TARGET librsvg-2.0>=2.52)
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 
+# OpenVDB's own module asks for the development files of all that the library was built with.
+find_path(OPENVDB_INCLUDE_DIR openvdb/openvdb.h REQUIRED)
+find_library(OPENVDB_LIBRARY openvdb REQUIRED)
+if(NOT TARGET OpenVDB::openvdb)
+  add_library(OpenVDB::openvdb UNKNOWN IMPORTED)
+  set_target_properties(OpenVDB::openvdb PROPERTIES
+    IMPORTED_LOCATION ${OPENVDB_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${OPENVDB_INCLUDE_DIR}
+    INTERFACE_LINK_LIBRARIES "Imath::Imath;TBB::tbb")
+endif()
+
 # Embree 3 or 4, whichever there is; render/world.cpp adapts to both.
 find_package(embree 4 CONFIG QUIET)
 if(NOT embree_FOUND)

@@ -101,6 +101,7 @@ const std::vector<Door>& doors() {
         {"OpenColorIO", "^OpenColorIO/", {"render/color"}},
         {"pugixml", "^pugixml", {"generators/svg/svg_document.cpp", "core/drawing.cpp"}},
         {"librsvg", "^librsvg/", {"core/drawing_raster.cpp"}},
+        {"OpenVDB", "^openvdb/", {"formats/write_vdb.cpp", "tests/unit/texture_test.cpp"}},
         {"Lua", "^(lua|lauxlib|lualib)\\.h(pp)?$", {"scenes/reader/"}},
         {"tinyobjloader", "^tiny_obj_loader", {"formats/read_obj.cpp"}},
         {"tinygltf", "^tiny_gltf", {"formats/read_gltf.cpp"}},

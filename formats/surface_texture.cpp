@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/surface_texture.h"
+
+#include "core/uv_frame.h"
+#include "core/uv_gutter.h"
+
+#include <cmath>
+#include <optional>
+
+namespace scree {
+
+namespace {
+
+ShadingPoint shading_point(const UvRaster& raster, std::uint32_t texel) {
+    const TexelPlace place = raster.place(texel);
+    ShadingPoint point;
+    point.position = place.position;
+    point.footprint = place.across.length();
+    point.uv = place.uv;
+    point.uv_footprint =
+        static_cast<float>(1 / std::sqrt(double(raster.width()) * raster.height()));
+    point.across = place.across;
+    point.along = place.along;
+    return point;
+}
+
+// The normal of a surface moved by the height: n minus the gradient along the surface (Mikkelsen
+// 2010), in the frame's axes.
+Vec3 bent_normal(const UvAxes& axes, const Vec3& slope) {
+    return Vec3(-slope.dot(axes.tangent), -slope.dot(axes.bitangent), 1.0F).normalized();
+}
+
+} // namespace
+
+Image surface_texture(const TextureSource& source, const UvRaster& raster, TextureChannel channel,
+                      const Context& context) {
+    Image image(raster.width(), raster.height(), channel_names(channel));
+    const std::vector<std::uint32_t>& texels = raster.covered_texels();
+    std::optional<UvFrames> frames;
+    if (channel == TextureChannel::normal)
+        frames.emplace(*source.mesh);
+    source.evaluate(
+        texels.size(), [&](std::size_t i) { return shading_point(raster, texels[i]); },
+        [&](std::size_t i, const ShadingSample& sample) {
+            float* pixel = &image.pixels[texels[i] * image.channels.size()];
+            if (!frames)
+                return put_channel(channel, sample, pixel);
+            const TexelPlace place = raster.place(texels[i]);
+            const Vec3 normal =
+                bent_normal(frames->at(place.triangle, place.barycentric), sample.slope);
+            for (int c = 0; c < 3; ++c)
+                pixel[c] = 0.5F + 0.5F * normal[c];
+        },
+        context);
+    std::vector<bool> covered(raster.width() * std::size_t(raster.height()));
+    for (const std::uint32_t texel : texels)
+        covered[texel] = true;
+    fill_gutter(image, covered);
+    return image;
+}
+
+} // namespace scree
