@@ -159,19 +159,21 @@ class SceneMaker {
             return;
         Params params = maker_.params(given.value, given.value.kind, plugin->params);
         const std::string kind = given.value.kind;
-        scene_.items.push_back({plugin->name, [bake = plugin->make, params = std::move(params),
-                                               kind](const Context& context) {
-                                    try {
-                                        return bake(params, context);
-                                    } catch (const Error& error) {
-                                        if (error.fault() != Fault::input)
-                                            throw;
-                                        Mistakes mistakes;
-                                        mistakes.add(error, params.where(), kind);
-                                        mistakes.throw_if_any();
-                                        throw;
-                                    }
-                                }});
+        scene_.items.push_back(
+            {plugin->name,
+             [bake = plugin->make, params = std::move(params), kind](const Context& context) {
+                 try {
+                     return bake(params, context);
+                 } catch (const Error& error) {
+                     if (error.fault() != Fault::input)
+                         throw;
+                     Mistakes mistakes;
+                     mistakes.add(error, params.where(), kind);
+                     mistakes.throw_if_any();
+                     throw;
+                 }
+             },
+             given.value.where});
     }
 
     // One number scales all three axes.
@@ -201,10 +203,10 @@ class SceneMaker {
             maker_.params(with_scale_vector(given.value), "object", object_params());
         if (mistakes_.count() != before)
             return;
-        scene_.items.push_back(
-            {"object", [params, index = std::uint64_t{scene_.items.size()}](const Context&) {
-                 return bake_object(params, index);
-             }});
+        scene_.items.push_back({"object",
+                                [params, index = std::uint64_t{scene_.items.size()}](
+                                    const Context&) { return bake_object(params, index); },
+                                given.value.where});
     }
 
     Scene& scene_;

@@ -15,6 +15,7 @@ namespace scree {
 struct SceneItem {
     std::string kind; // "layout", "object"
     std::function<Aggregate(const Context& context)> bake;
+    Location where{}; // of its constructor
 };
 
 /// A checked scene, ready to be baked and rendered.
