@@ -12,6 +12,9 @@ namespace {
 // (Pharr, Jakob & Humphreys 2016, section 14.5.4).
 constexpr int first_roulette_edge = 4;
 
+// A filter as wide as the way: 53 degrees.
+constexpr float widest_spread = 1;
+
 // Shadow rays end this share of their way before the light, so as not to meet it.
 constexpr float before_light = 1 - 0x1p-12F;
 
@@ -82,14 +85,14 @@ void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface, 
 }
 
 // Adds what the end of the path's ray brings and scatters the path there; false at its end.
-bool Integrator::advance(Path& path, float spread, RayCount& count) const {
+bool Integrator::advance(Path& path, float share, RayCount& count) const {
     if (!path.found_.found()) {
         add_escaped(path);
         return false;
     }
     Hit hit;
     world_.fill(path.ray_, path.found_, hit);
-    path.way_ += hit.distance;
+    path.width_ += path.spread_ * hit.distance;
     if (path.absorbing_)
         for (int i = 0; i < 3; ++i)
             path.throughput_[i] *= std::exp(-path.absorption_[i] * hit.distance);
@@ -107,7 +110,7 @@ bool Integrator::advance(Path& path, float spread, RayCount& count) const {
     }
     if (path.edges_ >= depth_ && !first)
         return false;
-    const Surface surface = materials_.surface(hit, path.ray_.direction, spread * path.way_);
+    const Surface surface = materials_.surface(hit, path.ray_.direction, path.width_);
     if (first) {
         path.sample_.albedo = surface.albedo();
         path.sample_.normal = surface.frame.z;
@@ -135,6 +138,11 @@ bool Integrator::advance(Path& path, float spread, RayCount& count) const {
         path.absorption_ = surface.outside ? surface.inside : Color(0.0F, 0.0F, 0.0F);
         path.absorbing_ = !black(path.absorption_);
     }
+    // A direction of density p stands for 1 / p of solid angle, N samples of the pixel for 1 / N of
+    // that each: what a wide lobe sees is seen widely, and costs no more detail than that.
+    if (!scattered.delta)
+        path.spread_ =
+            std::max(path.spread_, std::min(widest_spread, share / std::sqrt(scattered.pdf)));
     path.pdf_ = scattered.pdf;
     path.delta_ = scattered.delta;
     path.point_ = hit.position;
@@ -143,7 +151,7 @@ bool Integrator::advance(Path& path, float spread, RayCount& count) const {
     return true;
 }
 
-void Integrator::trace(std::span<Path> paths, float spread, RayCount& count) const {
+void Integrator::trace(std::span<Path> paths, float share, RayCount& count) const {
     for (bool any = true; any;) {
         for (Path& path : paths) {
             if (!path.alive_)
@@ -157,7 +165,7 @@ void Integrator::trace(std::span<Path> paths, float spread, RayCount& count) con
         any = false;
         for (Path& path : paths)
             if (path.alive_) {
-                path.alive_ = advance(path, spread, count);
+                path.alive_ = advance(path, share, count);
                 any = any || path.alive_;
             }
     }

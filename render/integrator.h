@@ -34,8 +34,9 @@ struct RayCount {
 /// A path under way.
 class Path {
   public:
-    Path(const CameraRay& ray, const Sampler& sampler)
-        : ray_{ray.origin, ray.direction}, point_(ray.origin), sampler_(sampler) {}
+    /// `spread`: width of the path's share of the pixel's filter per metre of way.
+    Path(const CameraRay& ray, float spread, const Sampler& sampler)
+        : ray_{ray.origin, ray.direction}, point_(ray.origin), spread_(spread), sampler_(sampler) {}
 
     /// What it has brought back; complete once it has been traced.
     const PathSample& sample() const { return sample_; }
@@ -50,7 +51,8 @@ class Path {
     Color absorption_{0.0F, 0.0F, 0.0F}; // of the glass around, if any [1/m]
     Vec3 point_;                         // where the ray was scattered
     float pdf_ = 0;                      // of its direction
-    float way_ = 0;                      // from the camera [m]
+    float width_ = 0;                    // of the filter where the ray begins [m]
+    float spread_;                       // by how much it widens per metre of way
     bool delta_ = true;                  // its direction cannot be found by light sampling
     bool absorbing_ = false;
     bool alive_ = true;
@@ -66,11 +68,12 @@ class Integrator {
 
     /// Follows the paths to their ends, all together by one edge at a time, so that the memory
     /// traffic of one is hidden behind the rays of the others; each is as if it were alone.
-    /// `spread`: width of the filter that each path stands for, per metre of way.
-    void trace(std::span<Path> paths, float spread, RayCount& count) const;
+    /// `share`: width of what one sample stands for among those of its pixel, as a share of the
+    /// whole: of the pixel's filter, and of a lobe in which a path is scattered.
+    void trace(std::span<Path> paths, float share, RayCount& count) const;
 
   private:
-    bool advance(Path& path, float spread, RayCount& count) const;
+    bool advance(Path& path, float share, RayCount& count) const;
     void add_escaped(Path& path) const;
     void add_light(Path& path, const Hit& hit) const;
     void add_direct(Path& path, const Hit& hit, const Surface& surface, float choice,

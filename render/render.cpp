@@ -98,7 +98,7 @@ class Job {
           integrator_(world, scene.materials, scene.lights, scene.film.depth, scene.film.clamp,
                       options.mis),
           samples_(options.samples > 0 ? options.samples : scene.film.samples),
-          spread_(rays_.pixel_spread() * sample_width(samples_, options)),
+          share_(sample_width(samples_, options)), spread_(rays_.pixel_spread() * share_),
           film_(crop_.width, crop_.height), tiles_(cut(crop_.width, crop_.height)) {}
 
     RenderResult run();
@@ -122,6 +122,7 @@ class Job {
     FilterSampler filter_;
     Integrator integrator_;
     int samples_;
+    float share_;  // width of a sample among those of its pixel
     float spread_; // of one sample's filter, per metre of way
     Film film_;
     std::vector<Tile> tiles_;
@@ -152,14 +153,14 @@ class Job::Batch {
         paths_.emplace_back(job_.rays_.ray(static_cast<float>(px) + 0.5F + offset.x,
                                            static_cast<float>(py) + 0.5F + offset.y,
                                            sampler.pair(dimension::lens)),
-                            sampler);
+                            job_.spread_, sampler);
         pixels_.push_back({x, y});
         if (paths_.size() == batch_size)
             flush();
     }
 
     void flush() {
-        job_.integrator_.trace(paths_, job_.spread_, count_);
+        job_.integrator_.trace(paths_, job_.share_, count_);
         for (std::size_t i = 0; i < paths_.size(); ++i) {
             const PathSample& sample = paths_[i].sample();
             if (!job_.film_.add(pixels_[i].x, pixels_[i].y, sample,
