@@ -278,12 +278,14 @@ static inline int is_stored(global const Lattice* lattice, Triple p) {
            (lattice->repeats || (floor(p.x) == 0.0f && floor(p.y) == 0.0f && floor(p.z) == 0.0f));
 }
 
-// The levels that a filter `width` wide leaves whole, and a share of the next: a real number.
+// The levels that a filter `width` wide leaves whole, and a share of the next: a real number. A
+// cell is whole that is 0.7 times as wide as the filter or wider, which comes nearest to means of
+// 4096 points (tried in steps of half a level).
 static inline float resolved_level(global const Lattice* lattice, float width) {
     const float most = (float)lattice->finest;
     if (!(width > 0.0f))
         return most;
-    const float level = -log2(width);
+    const float level = 0.5f - log2(width);
     return level < 0.0f ? 0.0f : level > most ? most : level;
 }
 

@@ -10,6 +10,8 @@ typedef struct {
     float centre;     // along the axis [m]
     float half_width; // [m]
     float rate;       // alpha: 1 / diffusion length [1/m]
+    float excess;     // mean of what the veins' sum has above 1 around this one, and
+    float excess_half_width; // how far it has that [m]
 } Vein;
 
 typedef struct {
@@ -53,6 +55,9 @@ static inline float soaked(float d, float rate, float sigma, float bell) {
 // derivative goes to *slope.
 static inline float vein_profile(const Vein* vein, float x, float sigma, float* slope) {
     const float d = fabs(x) - vein->half_width;
+    // Farther away it gives less than 1e-5.
+    if (d > 5.0f * sigma && vein->rate * d - 0.5f * square(vein->rate * sigma) > 11.5f)
+        return 0.0f;
     if (sigma * vein->rate < 1e-3f && sigma < 1e-3f * vein->half_width) {
         if (d <= 0.0f)
             return 1.0f;
@@ -67,10 +72,17 @@ static inline float vein_profile(const Vein* vein, float x, float sigma, float* 
     const float left_half = 0.5f * scaled_erfc(fabs(left / sigma) * 0.70710678f) * left_bell;
     const float inside = (right < 0.0f ? 1.0f - right_half : right_half) -
                          (left < 0.0f ? left_half : 1.0f - left_half);
+    // The sum is at most 1 before it is averaged: what it has above 1 must not count. A filter that
+    // is narrow against it needs no such help, since the average itself is kept to 1.
+    const float extra =
+        vein->excess > 0.0f
+            ? vein->excess * smooth(0.2f, 1.0f, sigma / vein->excess_half_width) * (normal_share((vein->excess_half_width - x) / sigma) -
+                              normal_share((-vein->excess_half_width - x) / sigma))
+            : 0.0f;
     const float after = soaked(right, vein->rate, sigma, right_bell);
     const float before = soaked(left, vein->rate, sigma, left_bell);
     *slope += vein->rate * (before - after);
-    return inside + after + before;
+    return inside + after + before - extra;
 }
 
 // G: all veins together at z along the axis, at most 1.
@@ -105,7 +117,8 @@ static inline float layer_value(Field field, global const VeinLayer* layer, Trip
     Triple p = position, u = across, v = along, gradient = axis;
     float variance = 0.0f;
     for (int i = 0; i <= layer->iterations; ++i) {
-        const Fluctuation d = placed_fluctuation(field, &placement, p, u, v, random);
+        const Fluctuation d = 
+            fluctuation_at(field, &placement, p, filter_width(&placement, u, v), random);
         const float shift = layer->push * d.value;
         gradient = minus(axis, scaled(d.gradient, layer->push));
         u = minus(across, scaled(axis, layer->push * inner(d.gradient, u)));
@@ -127,8 +140,12 @@ static inline SolidSample marble_part(Field field, global const Marble* marble, 
     sample.color = marble->filler;
     if (marble->cloudiness > 0.0f) {
         const Placement placement = marble->cloud_placement;
-        const float d =
-            placed_fluctuation(field, &placement, position, across, along, random).value;
+        // Clouds are soft: what is not stored would not be seen in them.
+        const float d = fluctuation_at(field, &placement, position,
+                                       fmax(filter_width(&placement, across, along),
+                                            1.0f / (float)(1 << field.lattice->levels)),
+                                       random)
+                            .value;
         sample.color = mixed3(sample.color, marble->cloud,
                               marble->cloudiness * smooth(-1.2f, 1.2f, d));
     }

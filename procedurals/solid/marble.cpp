@@ -7,6 +7,7 @@
 #include "procedurals/solid/marble_text.h"
 #include "procedurals/solid/solid_procedural.h"
 #include "procedurals/solid/solid_specs.h"
+#include "procedurals/solid/vein_layer.h"
 
 #include <algorithm>
 
@@ -15,7 +16,6 @@ namespace scree {
 namespace {
 
 using solid::Marble;
-using solid::Vein;
 using solid::VeinLayer;
 
 const MarblePreset& preset_of(const Params& params) {
@@ -54,46 +54,6 @@ std::vector<MarbleVeins> vein_systems(const Params& params) {
     return systems;
 }
 
-/// Veins of uneven widths at uneven distances, which repeat after `period`.
-void scatter_veins(VeinLayer& layer, const MarbleVeins& veins, double size, Random& random) {
-    layer.period = as_float(size);
-    layer.veins = veins.count;
-    for (int i = 0; i < veins.count; ++i) {
-        // One in each of equal strata, so that they neither crowd nor leave bare stone; widths are
-        // log-uniform over a factor of 9.
-        const double centre = (i + random.uniform(0.1, 0.9)) / veins.count * size;
-        const double width = veins.width * size * std::pow(3, random.uniform(-1, 1));
-        layer.vein[i] = {as_float(centre), as_float(width / 2),
-                         as_float(1 / (veins.diffusion * size * random.uniform(0.6, 1.4)))};
-    }
-}
-
-/// The paper's own: veins where the user put them, which do not repeat.
-void list_veins(VeinLayer& layer, const std::vector<Params>& veins, const Params& params,
-                const MarbleVeins& defaults) {
-    if (veins.size() > MARBLE_MOST_VEINS)
-        throw params.error("veins", "has more than 32 veins");
-    const double size = params.number("size");
-    for (const Params& vein : veins)
-        layer.vein[layer.veins++] = {
-            as_float(vein.number("at")),
-            as_float(number_or(vein, "width", defaults.width * size) / 2),
-            as_float(1 / number_or(vein, "diffusion", defaults.diffusion * size))};
-}
-
-/// Of min(1, sum of the veins) over a period: the trapezoid's rule on many points of a smooth
-/// periodic function.
-float profile_mean(const VeinLayer& layer) {
-    constexpr int points = 8192;
-    double sum = 0;
-    for (int i = 0; i < points; ++i) {
-        float unused = 0;
-        const float z = layer.period * (static_cast<float>(i) + 0.5F) / points;
-        sum += double(solid::veins_profile(&layer, z, 0, &unused));
-    }
-    return static_cast<float>(sum / points);
-}
-
 VeinLayer make_layer(const Params& params, const MarbleVeins& veins, unsigned index) {
     const SolidFrame frame = solid_frame(params);
     Random random(static_cast<std::uint64_t>(params.integer("seed")), Purpose::solid_vein, index);
@@ -113,11 +73,10 @@ VeinLayer make_layer(const Params& params, const MarbleVeins& veins, unsigned in
     layer.iterations = static_cast<int>(params.integer("iterations"));
     layer.color = {veins.color.x, veins.color.y, veins.color.z};
     if (index == 0 && params.has("veins"))
-        list_veins(layer, params.list("veins"), params, veins);
-    else {
+        list_veins(layer, params, veins);
+    else
         scatter_veins(layer, veins, params.number("size"), random);
-        layer.mean = profile_mean(layer);
-    }
+    measure_profile(layer);
     return layer;
 }
 

@@ -55,18 +55,20 @@ static inline float smooth(float low, float high, float v) {
 // Uniform in [0, 1) from a hash.
 static inline float unit_of(uint bits) { return (float)(bits >> 8) * 0x1p-24f; }
 
-// D where the object's point lies, its gradient in the object's frame [1/m], and the variance of
-// what a filter with these sides leaves out.
-static inline Fluctuation placed_fluctuation(Field field, const Placement* placement,
-                                             Triple position, Triple across, Triple along,
-                                             float random) {
+// Width of a filter with these sides, in unit cubes.
+static inline float filter_width(const Placement* placement, Triple across, Triple along) {
+    return fmax(length_of(turned(placement->rows, across)),
+                length_of(turned(placement->rows, along)));
+}
+
+// D where the object's point lies, through a filter of that width in unit cubes; its gradient in
+// the object's frame [1/m].
+static inline Fluctuation fluctuation_at(Field field, const Placement* placement, Triple position,
+                                         float width, float random) {
     Triple place = plus(turned(placement->rows, position), placement->offset);
     if (placement->vary > 0.0f) // by numbers that agree with no period of the lattice
         place = plus(place, triple(random * 47.31f, random * 23.17f, random * 91.73f));
-    const float wide = fmax(length_of(turned(placement->rows, across)),
-                            length_of(turned(placement->rows, along)));
-    Fluctuation found =
-        fluctuation(field.lattice, field.nodes16, field.nodes32, place, wide);
+    Fluctuation found = fluctuation(field.lattice, field.nodes16, field.nodes32, place, width);
     found.gradient = turned_back(placement->rows, found.gradient);
     return found;
 }
