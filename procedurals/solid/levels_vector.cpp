@@ -5,7 +5,7 @@
 #include "procedurals/solid/lattice_text.h"
 #include "procedurals/solid/vector_path.h"
 
-#include <algorithm>
+#include <array>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "procedurals/solid/levels_vector.cpp"
@@ -34,59 +34,96 @@ using Reals = hn::CappedTag<float, 16>;
 using Words = hn::RebindToUnsigned<Reals>;
 using Four = hn::FixedTag<float, 4>;
 
-// A level asks for the 27 nodes of a cell: 9 rows of 3.
-constexpr std::size_t row_count = 9 * LATTICE_MOST_LEVELS + 16; // and what a vector may go beyond
+// A level asks for 19 nodes of a cell: of the 27 all but the corners. The rows along x through the
+// cell's middle and its faces' have three of them, the others, its edges, have one.
+constexpr std::size_t long_rows = 5, all_rows = 9, all_nodes = 3 * long_rows + 4;
+constexpr std::uint32_t rows_y[all_rows] = {1, 0, 1, 2, 1, 0, 2, 0, 2};
+constexpr std::uint32_t rows_z[all_rows] = {0, 1, 1, 1, 2, 0, 0, 2, 2};
+// In memory: the long rows' first nodes, their last ones, and the middle nodes of all rows.
+constexpr std::size_t places[3] = {0, 2 * long_rows, long_rows};
 
-/// What the rows' random bits come from, and their nodes' variates.
-struct Rows {
-    std::uint32_t y[row_count];
-    std::uint32_t z[row_count];
-    std::uint32_t x[3][row_count]; // of their nodes
-    float g[3][row_count];
+/// Where the variate of a node stands whose number is x + 3 y + 9 z.
+constexpr auto place_of = [] {
+    std::array<std::size_t, 27> place{};
+    for (std::size_t row = 0; row < all_rows; ++row)
+        for (std::size_t x = 0; x < 3; ++x)
+            if (x == 1 || row < long_rows)
+                place[x + 3 * rows_y[row] + 9 * rows_z[row]] = places[x] + row;
+    return place;
+}();
+
+constexpr std::size_t most = LATTICE_MOST_LEVELS;
+constexpr std::size_t beyond = 16; // what vectors write and read behind the last number
+
+/// The rows of all levels' cells, their nodes, and the nodes' variates.
+struct Cells {
+    std::uint32_t y[all_rows * most + beyond], z[all_rows * most + beyond];
+    std::uint32_t row[all_rows * most + beyond], other[all_rows * most + beyond];
+    std::uint32_t x[3][most]; // of the nodes along a row
+    std::uint32_t node[all_nodes * most + beyond], node_other[all_nodes * most + beyond];
+    float g[all_nodes * most + beyond];
     std::size_t count = 0;
 };
 
-/// The rows of one level's cell.
-HWY_INLINE void add_rows(Rows& rows, const Lattice& lattice, int level, int cx, int cy, int cz) {
+HWY_INLINE void add_cell(Cells& cells, const Lattice& lattice, int level, int cx, int cy, int cz) {
     const std::uint32_t mask = solid::node_mask(&lattice, level);
     const auto at = [mask](int cell, std::uint32_t node) {
         return (2 * static_cast<std::uint32_t>(cell) + node) & mask;
     };
-    std::uint32_t* y = rows.y + rows.count;
-    std::uint32_t* z = rows.z + rows.count;
-    for (std::uint32_t k = 0; k < 3; ++k)
-        for (std::uint32_t j = 0; j < 3; ++j) {
-            *y++ = lattice.key_a + at(cy, j) * 0x9e3779b9U;
-            *z++ = at(cz, k) * 0x85ebca6bU + static_cast<std::uint32_t>(level) * 0xc2b2ae35U;
-        }
-    for (std::uint32_t i = 0; i < 3; ++i)
-        std::fill_n(rows.x[i] + rows.count, 9, at(cx, i) * 0x9e3779b1U);
-    rows.count += 9;
+    std::uint32_t y[3], z[3];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        cells.x[i][cells.count] = at(cx, i) * 0x9e3779b1U;
+        y[i] = lattice.key_a + at(cy, i) * 0x9e3779b9U;
+        z[i] = at(cz, i) * 0x85ebca6bU + static_cast<std::uint32_t>(level) * 0xc2b2ae35U;
+    }
+    for (std::size_t row = 0; row < all_rows; ++row) {
+        cells.y[all_rows * cells.count + row] = y[rows_y[row]];
+        cells.z[all_rows * cells.count + row] = z[rows_z[row]];
+    }
+    ++cells.count;
+}
+
+/// `count` numbers plus one, and whatever follows up to a multiple of 4.
+HWY_INLINE void copy(const std::uint32_t* from, std::size_t count, std::uint32_t plus,
+                     std::uint32_t* to) {
+    const hn::FixedTag<std::uint32_t, 4> d;
+    for (std::size_t i = 0; i < count; i += 4)
+        hn::StoreU(hn::Add(hn::LoadU(d, from + i), hn::Set(d, plus)), d, to + i);
 }
 
 /// See row_bits, node_bits and normal_variate.
-HWY_INLINE void draw(Rows& rows, const Lattice& lattice) {
+HWY_INLINE void draw(Cells& cells, const Lattice& lattice) {
     const Reals d;
     const Words du;
     const auto key = hn::Set(du, lattice.key_b);
-    for (std::size_t at = 0; at < rows.count; at += hn::Lanes(d)) {
-        const auto y = scramble(du, hn::LoadU(du, rows.y + at));
-        const auto row = scramble(du, hn::Xor(y, hn::LoadU(du, rows.z + at)));
-        const auto other = scramble(du, hn::Add(row, key));
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto place = hn::Add(hn::LoadU(du, rows.x[i] + at), row);
-            hn::StoreU(normal_variate(d, node_bits(du, place, other)), d, rows.g[i] + at);
+    const std::size_t row_count = all_rows * cells.count, node_count = all_nodes * cells.count;
+    for (std::size_t i = 0; i < row_count; i += hn::Lanes(d)) {
+        const auto y = scramble(du, hn::LoadU(du, cells.y + i));
+        const auto row = scramble(du, hn::Xor(y, hn::LoadU(du, cells.z + i)));
+        hn::StoreU(row, du, cells.row + i);
+        hn::StoreU(scramble(du, hn::Add(row, key)), du, cells.other + i);
+    }
+    for (std::size_t cell = 0; cell < cells.count; ++cell)
+        for (const std::size_t x : {0, 2, 1}) { // the last is written over by nobody
+            const std::size_t rows = x == 1 ? all_rows : long_rows;
+            const std::size_t to = all_nodes * cell + places[x];
+            copy(cells.row + all_rows * cell, rows, cells.x[x][cell], cells.node + to);
+            copy(cells.other + all_rows * cell, rows, 0, cells.node_other + to);
         }
+    for (std::size_t i = 0; i < node_count; i += hn::Lanes(d)) {
+        const auto bits =
+            node_bits(du, hn::LoadU(du, cells.node + i), hn::LoadU(du, cells.node_other + i));
+        hn::StoreU(normal_variate(d, bits), d, cells.g + i);
     }
 }
 
 /// What a cell's variates mean at a place in it: the value and the slopes along x, y and z in the
 /// four lanes; `x`, `y`, `z` are each lane's weights. See carried.
-HWY_INLINE hn::Vec<Four> carried(const Rows& rows, std::size_t at, const hn::Vec<Four>* x,
+HWY_INLINE hn::Vec<Four> carried(const float* variates, const hn::Vec<Four>* x,
                                  const hn::Vec<Four>* y, const hn::Vec<Four>* z) {
     using V = hn::Vec<Four>;
     const Four d;
-    const auto g = [&](std::size_t node) { return hn::Set(d, rows.g[node % 3][at + node / 3]); };
+    const auto g = [&](std::size_t node) { return hn::Set(d, variates[place_of[node]]); };
     const auto weight = [](V a, V b, V c) { return hn::Mul(hn::Mul(a, b), c); };
     V faces[3][2];
     const V centre = weight(x[1], y[1], z[1]);
@@ -124,23 +161,20 @@ void add_levels(const Lattice* lattice, int first, int last, float share, Triple
         ++last;
     else
         share = 1;
-    Rows rows;
+    Cells cells;
     float fractions[LATTICE_MOST_LEVELS][3];
     for (int level = first; level <= last; ++level) {
-        const auto cells = static_cast<float>(1 << (level - 1));
-        const float x = p.x * cells, y = p.y * cells, z = p.z * cells;
+        const auto width = static_cast<float>(1 << (level - 1));
+        const float x = p.x * width, y = p.y * width, z = p.z * width;
         const float cx = std::floor(x), cy = std::floor(y), cz = std::floor(z);
         float* fraction = fractions[level - first];
         fraction[0] = x - cx;
         fraction[1] = y - cy;
         fraction[2] = z - cz;
-        add_rows(rows, *lattice, level, static_cast<int>(cx), static_cast<int>(cy),
+        add_cell(cells, *lattice, level, static_cast<int>(cx), static_cast<int>(cy),
                  static_cast<int>(cz));
     }
-    const std::size_t beyond = (rows.count + 15) / 16 * 16; // nobody asks, but somebody reads
-    for (std::uint32_t* numbers : {rows.y, rows.z, rows.x[0], rows.x[1], rows.x[2]})
-        std::fill(numbers + rows.count, numbers + beyond, 0U);
-    draw(rows, *lattice);
+    draw(cells, *lattice);
     const float start[4] = {sum->value, sum->gradient.x, sum->gradient.y, sum->gradient.z};
     V total = hn::LoadU(d, start);
     for (int level = first; level <= last; ++level) {
@@ -152,13 +186,13 @@ void add_levels(const Lattice* lattice, int first, int last, float share, Triple
             for (std::size_t i = 0; i < 3; ++i)
                 weights[axis][i] = hn::IfThenElse(own, hn::Set(d, slope[i]), hn::Set(d, weight[i]));
         }
-        const auto cells = static_cast<float>(1 << (level - 1));
-        const float units[4] = {1, cells, cells, cells};
+        const auto width = static_cast<float>(1 << (level - 1));
+        const float units[4] = {1, width, width, width};
         float part = lattice->spread[level];
         if (level == last)
             part = share * part;
-        const V found = carried(rows, 9 * static_cast<std::size_t>(level - first), weights[0],
-                                weights[1], weights[2]);
+        const V found = carried(cells.g + all_nodes * static_cast<std::size_t>(level - first),
+                                weights[0], weights[1], weights[2]);
         total = hn::Add(total, hn::Mul(hn::Mul(found, hn::LoadU(d, units)), hn::Set(d, part)));
     }
     float end[4];
