@@ -4,6 +4,7 @@
 #include "procedurals/checker.h"
 #include "procedurals/image.h"
 #include "procedurals/solid/marble.h"
+#include "procedurals/solid/wood.h"
 
 namespace scree {
 
@@ -12,6 +13,7 @@ Registry<MakeProcedural> procedural_table() {
     table.add(checker_plugin());
     table.add(image_plugin());
     table.add(marble_plugin());
+    table.add(wood_plugin());
     return table;
 }
 

@@ -1,21 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "procedurals/solid/marble_presets.h"
 
-#include "core/display_encoding.h"
+#include "procedurals/solid/shown_color.h"
 
 namespace scree {
-
-namespace {
-
-/// Linear, from a display colour 0xRRGGBB, as photographs give it.
-Color shown(unsigned rgb) {
-    const auto part = [&](unsigned shift) {
-        return linear_from_display(static_cast<float>((rgb >> shift) & 255U) / 255.0F);
-    };
-    return {part(16), part(8), part(0)};
-}
-
-} // namespace
 
 const std::vector<MarblePreset>& marble_presets() {
     // Colours by eye from photographs of slabs.

@@ -52,6 +52,9 @@ static inline float smooth(float low, float high, float v) {
     return t * t * (3.0f - 2.0f * t);
 }
 
+// The whole number below, of numbers that an int may not hold too.
+static inline int whole_of(float v) { return (int)floor(limited(v, -1e9f, 1e9f)); }
+
 // Uniform in [0, 1) from a hash.
 static inline float unit_of(uint bits) { return (float)(bits >> 8) * 0x1p-24f; }
 

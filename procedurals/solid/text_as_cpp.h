@@ -14,12 +14,15 @@ using uint = std::uint32_t;
 inline int as_int(float v) { return std::bit_cast<int>(v); }
 inline float as_float(int v) { return std::bit_cast<float>(v); }
 
+using std::atan2;
+using std::cos;
 using std::exp;
 using std::fabs;
 using std::floor;
 using std::fmax;
 using std::fmin;
 using std::log2;
+using std::sin;
 using std::sqrt;
 
 } // namespace scree::solid
