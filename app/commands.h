@@ -17,6 +17,7 @@ void add_render_command(CLI::App& app, Run& run);
 void add_analyse_command(CLI::App& app, Run& run);
 void add_bake_command(CLI::App& app, Run& run);
 void add_height_command(CLI::App& app, Run& run);
+void add_texture_command(CLI::App& app, Run& run);
 void add_view_command(CLI::App& app, Run& run);
 void add_diff_command(CLI::App& app, Run& run);
 void add_check_command(CLI::App& app, Run& run);

@@ -85,6 +85,7 @@ int run_command_line(int argc, char** argv) {
     add_render_command(app, run);
     add_bake_command(app, run);
     add_height_command(app, run);
+    add_texture_command(app, run);
     add_view_command(app, run);
     add_diff_command(app, run);
     add_analyse_command(app, run);

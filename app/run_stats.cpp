@@ -10,8 +10,23 @@
 
 namespace scree {
 
+namespace {
+
+nlohmann::ordered_json facts_json(const Facts& facts) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::object();
+    for (const auto& [name, value] : facts) {
+        if (is_whole(value))
+            out[name] = static_cast<std::int64_t>(value);
+        else
+            out[name] = value;
+    }
+    return out;
+}
+
+} // namespace
+
 std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggregates,
-                           const RenderFigures* render) {
+                           const RenderFigures* render, const Facts& texture) {
     using Json = nlohmann::ordered_json;
     Json root{{"scree", SCREE_VERSION}, {"threads", thread_count()}};
     root["stages"] = Json::array();
@@ -24,14 +39,8 @@ std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggr
     for (const Aggregate& aggregate : aggregates) {
         if (aggregate.generator == "object")
             continue;
-        Json facts = Json::object();
-        for (const auto& [name, value] : aggregate.facts) {
-            if (is_whole(value))
-                facts[name] = static_cast<std::int64_t>(value);
-            else
-                facts[name] = value;
-        }
-        root["generators"].push_back({{"generator", aggregate.generator}, {"facts", facts}});
+        root["generators"].push_back(
+            {{"generator", aggregate.generator}, {"facts", facts_json(aggregate.facts)}});
     }
     if (render != nullptr) {
         const RenderStats& stats = *render->stats;
@@ -43,6 +52,8 @@ std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggr
                           {"scene_mib", double(render->scene_bytes) / (1 << 20)},
                           {"invalid_samples", stats.invalid_samples}};
     }
+    if (!texture.empty())
+        root["texture"] = facts_json(texture);
     return root.dump(2) + "\n";
 }
 

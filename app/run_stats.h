@@ -18,9 +18,9 @@ struct RenderFigures {
     std::size_t scene_bytes = 0;
 };
 
-/// The text of --stats (docs/formats.md): every stage's cost, every generator's facts, and the
-/// renderer's figures when there was a render.
+/// The text of --stats (docs/formats.md): every stage's cost, every generator's facts, the
+/// renderer's figures when there was a render, and a texture's when one was baked.
 std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggregates,
-                           const RenderFigures* render);
+                           const RenderFigures* render, const Facts& texture = {});
 
 } // namespace scree

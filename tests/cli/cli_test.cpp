@@ -3,6 +3,7 @@
 #include "core/file.h"
 #include "core/height_field.h"
 #include "core/image.h"
+#include "tests/cli/cli_fixture.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -16,33 +17,14 @@
 namespace scree {
 namespace {
 
+using tests::Outcome;
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int code = -1;
-    std::string out;
-    std::string err;
-};
-
-class Cli : public testing::Test {
+class Cli : public tests::CliTest {
   protected:
     void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "scree-cli-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
+        CliTest::SetUp();
         write_file(path("small.lua"), small_scene);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-    /// Runs the program in the test's folder.
-    Outcome run(const std::string& arguments, const std::string& environment = "") const {
-        const std::string command = "cd '" + folder_.string() + "' && " + environment + " '" +
-                                    SCREE_PROGRAM + "' " + arguments + " >out.txt 2>err.txt";
-        const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(path("out.txt")),
-                read_file(path("err.txt"))};
     }
 
     static constexpr const char* small_scene =
@@ -60,8 +42,6 @@ class Cli : public testing::Test {
         "    object { shape = mesh.plane { size = 4 } },\n"
         "  },\n"
         "}\n";
-
-    fs::path folder_;
 };
 
 TEST_F(Cli, WithoutACommandItShowsHelpAndFails) {
@@ -72,7 +52,7 @@ TEST_F(Cli, WithoutACommandItShowsHelpAndFails) {
 
 TEST_F(Cli, EveryCommandHasHelpWithAnExample) {
     for (const char* command :
-         {"render", "bake", "analyse", "height", "view", "diff", "check", "list"}) {
+         {"render", "bake", "analyse", "height", "texture", "view", "diff", "check", "list"}) {
         const Outcome outcome = run(std::string(command) + " --help");
         EXPECT_EQ(outcome.code, 0) << command;
         EXPECT_NE(outcome.out.find("Example:\n  scree " + std::string(command)), std::string::npos)

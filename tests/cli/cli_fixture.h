@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program run in a folder of the test's own.
+#pragma once
+
+#include "core/file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <sys/wait.h>
+
+namespace scree::tests {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code = -1;
+    std::string out;
+    std::string err;
+};
+
+class CliTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "scree-cli-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder_ = name;
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    /// Runs the program in the test's folder.
+    Outcome run(const std::string& arguments, const std::string& environment = "") const {
+        const std::string command = "cd '" + folder_.string() + "' && " + environment + " '" +
+                                    SCREE_PROGRAM + "' " + arguments + " >out.txt 2>err.txt";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(path("out.txt")),
+                read_file(path("err.txt"))};
+    }
+
+    fs::path folder_;
+};
+
+} // namespace scree::tests
