@@ -25,6 +25,8 @@ class Checker final : public Procedural {
         : size_(params.number("size")), even_(params.color("color_a")),
           odd_(params.color("color_b")) {}
 
+    bool solid() const override { return true; }
+
     void evaluate(std::span<const ShadingPoint> points,
                   std::span<ShadingSample> samples) const override {
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -33,7 +35,10 @@ class Checker final : public Procedural {
             const double product = filtered_wave(double(p.x) / size_, width) *
                                    filtered_wave(double(p.z) / size_, width);
             const auto share = static_cast<float>(0.5 + 0.5 * product);
-            samples[i] = {even_ * share + odd_ * (1.0F - share), 0.0F};
+            ShadingSample sample;
+            sample.color = even_ * share + odd_ * (1.0F - share);
+            sample.value = share;
+            samples[i] = sample;
         }
     }
 

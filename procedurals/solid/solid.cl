@@ -91,8 +91,8 @@ static inline float scaled_erfc(float x) {
 
 // The normal distribution's share below x, and its density, at unit variance.
 static inline float normal_share(float x) {
-    const float half = 0.5f * scaled_erfc(fabs(x) * 0.70710678f) * exp(-0.5f * x * x);
-    return x < 0.0f ? half : 1.0f - half;
+    const float tail = 0.5f * scaled_erfc(fabs(x) * 0.70710678f) * exp(-0.5f * x * x);
+    return x < 0.0f ? tail : 1.0f - tail;
 }
 static inline float normal_density(float x) { return 0.39894228f * exp(-0.5f * x * x); }
 

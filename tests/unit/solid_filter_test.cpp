@@ -28,7 +28,10 @@ Vec3 direction(Random& random) {
     return {float(r * std::cos(a)), float(r * std::sin(a)), float(z)};
 }
 
-Errors errors(const std::string& name, Values values, double width, double slant, int places) {
+using Pick = double (*)(const ShadingSample& sample);
+
+Errors errors(const std::string& name, Values values, Pick pick, double width, double slant,
+              int places) {
     values["filtered"] = Value(true);
     const auto filtered = tests::make(procedural_table(), name, values);
     values["filtered"] = Value(false);
@@ -57,30 +60,61 @@ Errors errors(const std::string& name, Values values, double width, double slant
         points->evaluate(inside, seen);
         double mean = 0;
         for (const ShadingSample& sample : seen)
-            mean += double(sample.value) / (side * side);
+            mean += pick(sample) / (side * side);
         ShadingSample one, middle;
         filtered->evaluate({&point, 1}, {&one, 1});
         points->evaluate({&point, 1}, {&middle, 1});
-        found.filtered += std::pow(double(one.value) - mean, 2) / places;
-        found.point += std::pow(double(middle.value) - mean, 2) / places;
-        found.bias += (double(one.value) - mean) / places;
+        found.filtered += std::pow(pick(one) - mean, 2) / places;
+        found.point += std::pow(pick(middle) - mean, 2) / places;
+        found.bias += (pick(one) - mean) / places;
     }
     found.filtered = std::sqrt(found.filtered);
     found.point = std::sqrt(found.point);
     return found;
 }
 
+double value_of(const ShadingSample& sample) { return double(sample.value); }
+double green_of(const ShadingSample& sample) { return double(sample.color.y); }
+
+/// One kind's errors at several widths, in cells of the paper's lattice, and slants.
+void expect_good_filter(const std::string& name, const std::string& preset, double best_ratio,
+                        Pick pick = value_of) {
+    double point = 0, filtered = 0, bias = 0;
+    int count = 0;
+    for (const double slant : {1.0, 4.0, 16.0})
+        for (const double cells : {0.05, 1.0, 3.0, 8.0, 16.0, 40.0}) {
+            const Values values{{"preset", preset}, {"detail", std::int64_t{1}}};
+            const Errors e = errors(name, values, pick, cells * 0.1 / 64, slant, 40);
+            std::printf("%s %s, slant %g, %g cells: point %.4f filtered %.4f bias %+.4f\n",
+                        name.c_str(), preset.c_str(), slant, cells, e.point, e.filtered, e.bias);
+            EXPECT_LT(e.filtered, 0.65 * e.point + 0.008)
+                << name << " " << preset << " slant " << slant << " cells " << cells;
+            point += e.point * e.point;
+            filtered += e.filtered * e.filtered;
+            bias += e.bias;
+            ++count;
+        }
+    EXPECT_LT(std::sqrt(filtered / point), best_ratio) << name << " " << preset;
+    EXPECT_LT(std::abs(bias / count), 0.02) << name << " " << preset;
+}
+
 } // namespace
 
-TEST(SolidFilter, Print) {
-    for (const char* preset : {"banded", "carrara", "nero_marquina"})
-        for (const double slant : {1.0, 4.0, 16.0})
-            for (const double cells : {0.1, 1.0, 3.0, 8.0, 16.0, 40.0}) {
-                const Values values{{"preset", std::string(preset)}, {"detail", std::int64_t{1}}};
-                const Errors e = errors("marble", values, cells * 0.1 / 64, slant, 60);
-                std::printf("%s slant %g cells %g: point %.4f filtered %.4f bias %+.4f\n", preset,
-                            slant, cells, e.point, e.filtered, e.bias);
-            }
+TEST(SolidFilter, OfMarbleComesNearTheMeanOf4096Points) {
+    expect_good_filter("marble", "banded", 0.25);
+    expect_good_filter("marble", "carrara", 0.25);
+    expect_good_filter("marble", "nero_marquina", 0.15);
+}
+
+TEST(SolidFilter, OfWoodComesNearTheMeanOf4096Points) {
+    expect_good_filter("wood", "paper", 0.25);
+    expect_good_filter("wood", "pine", 0.25);
+    expect_good_filter("wood", "walnut", 0.25);
+}
+
+TEST(SolidFilter, OfVesselsRaysAndFibresComesNearTheMeanOf4096Points) {
+    expect_good_filter("wood", "oak", 0.35, green_of);
+    expect_good_filter("wood", "beech", 0.35, green_of);
 }
 
 } // namespace scree
