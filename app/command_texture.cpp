@@ -59,22 +59,33 @@ Image png_image(Image image, TextureChannel channel) {
     return image;
 }
 
+// Whether a channel of every pixel is `value`.
+bool is_everywhere(std::span<const Image> images, std::size_t channel, float value) {
+    return std::all_of(images.begin(), images.end(), [&](const Image& image) {
+        for (std::size_t i = channel; i < image.pixels.size(); i += image.channels.size())
+            if (image.pixels[i] != value)
+                return false;
+        return true;
+    });
+}
+
+bool is_somewhere(std::span<const Image> images, float value) {
+    return std::any_of(images.begin(), images.end(), [&](const Image& image) {
+        return std::find(image.pixels.begin(), image.pixels.end(), value) != image.pixels.end();
+    });
+}
+
 // What the procedural does not give makes an empty map: say so.
 void check_channel(const TextureJob& job, std::span<const Image> images) {
     const TextureChannel channel = job.request.channel;
-    float low = images.front().pixels.front();
-    float high = low;
-    for (const Image& image : images) {
-        const auto [least, most] = std::minmax_element(image.pixels.begin(), image.pixels.end());
-        low = std::min(low, *least);
-        high = std::max(high, *most);
-    }
-    if (channel == TextureChannel::roughness && low < 0)
+    const bool number = channel == TextureChannel::height || channel == TextureChannel::value;
+    if (channel == TextureChannel::roughness && is_somewhere(images, ShadingSample::unset))
         throw job.subject.material_error("neither the procedural nor the material has a roughness",
                                          "material.plastic and material.metal have one");
-    const bool number = channel == TextureChannel::height || channel == TextureChannel::value;
-    if (number && low == 0 && high == 0)
-        job.console.say(fmt::format("warning: the {} is 0 everywhere: this procedural gives none",
+    if ((number && is_everywhere(images, 0, 0)) ||
+        (channel == TextureChannel::normal && is_everywhere(images, 2, 1)))
+        job.console.say(fmt::format("warning: the {} is the same everywhere: this procedural gives "
+                                    "none",
                                     channel_word(channel)));
 }
 

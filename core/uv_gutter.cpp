@@ -111,6 +111,8 @@ std::vector<std::uint32_t> nearest_covered(int width, int height,
 }
 
 void fill_gutter(Image& image, const std::vector<bool>& covered) {
+    if (std::find(covered.begin(), covered.end(), false) == covered.end())
+        return;
     const std::vector<std::uint32_t> nearest = nearest_covered(image.width, image.height, covered);
     const std::size_t channels = image.channels.size();
     parallel_for(nearest.size(), 4096, [&](std::size_t i) {

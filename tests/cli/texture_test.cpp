@@ -118,6 +118,16 @@ TEST_F(TextureCli, SaysWhenUvsOverlap) {
     EXPECT_NE(outcome.err.find("warning: UVs of box overlap: "), std::string::npos) << outcome.err;
 }
 
+TEST_F(TextureCli, SaysWhenTheProceduralDoesNotGiveTheChannel) {
+    for (const std::string channel : {"height", "normal"}) {
+        const Outcome outcome = run("texture checker.lua -o a.exr --size 16 --channel " + channel);
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_TRUE(outcome.err.starts_with(
+            "warning: the " + channel + " is the same everywhere: this procedural gives none\n"))
+            << outcome.err;
+    }
+}
+
 TEST_F(TextureCli, PngIsDisplayEncodedForColoursOnly) {
     ASSERT_EQ(run("texture checker.lua -o a.png --size 64").code, 0);
     ASSERT_EQ(run("texture checker.lua -o a.exr --size 64").code, 0);
