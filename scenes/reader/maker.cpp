@@ -143,8 +143,11 @@ template <class T, class Make>
 std::shared_ptr<const T> Maker::shared(Made<std::shared_ptr<const T>>& made,
                                        const Registry<Make>& table, const Given& given) {
     const auto known = made.find(&given.value);
-    if (known != made.end())
+    if (known != made.end()) {
+        if (known->second == nullptr)
+            mistakes_.add_repeated();
         return known->second;
+    }
     std::shared_ptr<const T> out;
     if constexpr (std::is_abstract_v<T>) {
         out = make<std::shared_ptr<const T>>(table, given).value_or(nullptr);

@@ -27,7 +27,11 @@ class Mistakes {
         }
     }
 
-    std::size_t count() const { return diagnostics_.size(); }
+    /// Something was used again that could not be made: its own mistakes are known already.
+    void add_repeated() { ++repeated_; }
+
+    /// Grows with every mistake, so that whoever finds it unchanged has met none.
+    std::size_t count() const { return diagnostics_.size() + repeated_; }
 
     /// Throws what was collected, by file and line, each mistake once; the rest beyond `most` is
     /// counted.
@@ -56,6 +60,7 @@ class Mistakes {
 
   private:
     std::vector<Diagnostic> diagnostics_;
+    std::size_t repeated_ = 0;
 };
 
 } // namespace scree
