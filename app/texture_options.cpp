@@ -58,7 +58,8 @@ void TextureOptions::add_to(CLI::App& command) {
     command.add_option("-o,--output", output, "File to write: .png, .exr or .vdb")->required();
     command
         .add_option("--object", object,
-                    "Which of scene.objects, counted from 1, when several have a procedural")
+                    "Which of scene.objects, counted from 1, when several have a procedural; "
+                    "the others are not made")
         ->check(CLI::Range(1, 1 << 20));
     command
         .add_option("--map", map,

@@ -37,14 +37,16 @@ class CheckedArchive final : public openvdb::io::Archive {
         file.write(id.data(), std::streamsize(id.size()));
         file.close();
         if (!file)
-            throw Error::resource("cannot write " + path + ": " +
-                                  std::strerror(errno != 0 ? errno : EIO));
+            throw Error::resource(std::strerror(errno != 0 ? errno : EIO));
     }
 };
 
-// In the form of a UUID, version 8 (RFC 9562).
-std::string identity(const Metadata& metadata) {
-    std::string all;
+// In the form of a UUID, version 8 (RFC 9562). The metadata tells the scene, the grid its part.
+std::string identity(const Metadata& metadata, const openvdb::FloatGrid& grid) {
+    std::string all = fmt::format("{}", grid.activeVoxelCount());
+    const openvdb::Mat4R matrix = grid.transform().baseMap()->getAffineMap()->getMat4();
+    for (int i = 0; i < 16; ++i)
+        all += fmt::format(" {}", matrix.asPointer()[i]);
     for (const auto& [name, value] : metadata)
         all += name + "=" + value + "\n";
     const std::uint64_t a = hash_bytes(all), b = hash_bytes(all + "2");
@@ -97,8 +99,8 @@ void VdbFile::write(const std::string& path, const Metadata& metadata) {
     write_atomically(path, [&](const std::string& temporary) {
         try {
             CheckedArchive().write_file(temporary, {grids_->density, grids_->color}, texts,
-                                        identity(metadata));
-        } catch (const openvdb::Exception& failure) {
+                                        identity(metadata, *grids_->density));
+        } catch (const std::exception& failure) { // OpenVDB's or ours
             throw Error::resource("cannot write " + path + ": " + failure.what());
         }
     });
