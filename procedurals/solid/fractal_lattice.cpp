@@ -22,6 +22,7 @@ Lattice make_header(const LatticeSettings& settings) {
     header.key_b = random.bits();
     header.repeats = settings.repeats ? 1 : 0;
     header.levels = settings.levels;
+    header.own = std::max(settings.levels, 7);
     header.finest = std::min(settings.levels + settings.detail, LATTICE_MOST_LEVELS - 2);
     header.mean_square = static_cast<float>(mean_square_of_level());
     double left_out = 0;
@@ -34,16 +35,42 @@ Lattice make_header(const LatticeSettings& settings) {
     return header;
 }
 
+constexpr int tile_levels = TILE_COARSE + TILE_LEVELS;
+
+/// The tile as a lattice of its own: its coarse levels are zero, the others are in units of the
+/// first of them.
+Lattice tile_header(const Lattice& header) {
+    Lattice tile = header;
+    tile.repeats = 1;
+    tile.levels = tile_levels;
+    tile.drawn_from = header.own - TILE_COARSE;
+    for (int level = 0; level <= tile_levels; ++level)
+        tile.spread[level] =
+            level <= TILE_COARSE ? 0 : header.spread[level - TILE_COARSE] / header.spread[1];
+    return tile;
+}
+
 } // namespace
 
 FractalLattice::FractalLattice(const LatticeSettings& settings)
     : header_(make_header(settings)), count_(node_count(header_.levels)) {
+    const std::size_t own = count_;
+    if (header_.finest > header_.own) {
+        header_.tile = static_cast<int>(own);
+        count_ += node_count(tile_levels);
+    }
+    Lattice tile = tile_header(header_);
     if (settings.sixteen_bit) {
         nodes16_ = large_array<std::int16_t>(count_ + node_padding);
         make_nodes(header_, nodes16_.get());
+        if (header_.tile > 0)
+            make_nodes(tile, nodes16_.get() + own);
+        header_.tile_step = tile.step;
     } else {
         nodes32_ = large_array<float>(count_ + node_padding);
         make_nodes(header_, nodes32_.get());
+        if (header_.tile > 0)
+            make_nodes(tile, nodes32_.get() + own);
     }
 }
 

@@ -22,7 +22,8 @@ struct LatticeSettings {
 /// period, or first cube, is the unit cube. Every node's random number is a hash of its level and
 /// coordinates there, so that the order of making does not matter, levels that are not stored can
 /// be had on demand, and a lattice of more levels agrees with one of fewer at their common nodes.
-/// Thread-safe once made.
+/// Levels beyond the seventh, or beyond those stored, draw on few numbers that repeat, too fine to
+/// be seen to, and come from a small tile of nodes behind the others. Thread-safe once made.
 class FractalLattice {
   public:
     explicit FractalLattice(const LatticeSettings& settings);
@@ -37,7 +38,8 @@ class FractalLattice {
     float node(int x, int y, int z) const;
     int side() const { return 1 << header_.levels; } // cells along an edge
 
-    /// What the .cl text takes; one of the two arrays is empty. Order: x fastest, z slowest.
+    /// What the .cl text takes; one of the two arrays is empty. Order: x fastest, z slowest; the
+    /// tile's nodes follow the lattice's.
     const solid::Lattice& header() const { return header_; }
     std::span<const std::int16_t> nodes16() const {
         return {nodes16_.get(), nodes16_ ? count_ : 0};
@@ -46,7 +48,7 @@ class FractalLattice {
 
   private:
     solid::Lattice header_{};
-    std::size_t count_; // of nodes
+    std::size_t count_; // of nodes, with the tile's
     LargeArray<std::int16_t> nodes16_;
     LargeArray<float> nodes32_;
 };

@@ -20,7 +20,11 @@ typedef struct {
     uint repeats;                        // 1: goes on periodically; 0: anew in every unit cube
     int levels;                          // that are stored
     int finest;                          // that exist: the others are evaluated on demand
+    int own;                             // levels whose every node is drawn by itself
+    int drawn_from;                      // levels are drawn as those so much finer: of the tile
     float step;                          // of 16-bit nodes; 0: nodes are floats
+    int tile;                            // where the tile's nodes begin behind the others; 0: none
+    float tile_step;                     // of its 16-bit nodes
     float spread[LATTICE_MOST_LEVELS];   // L_n, for level n; 0 beyond `finest`
     float left_out[LATTICE_MOST_LEVELS]; // mean variance of all levels above n together
     float mean_square;                   // of T_n / L_n over space
@@ -121,8 +125,22 @@ static inline float node_normal(uint key_a, uint key_b, uint level, uint x, uint
     return normal_variate(node_bits(row, scramble(row + key_b), x));
 }
 
+// Beyond its `own` levels a lattice is too fine for anyone to see that it repeats: the next three
+// do so after 8 cells of the last own one, and every three that follow are these three once more, 8
+// times smaller. So one small tile of nodes holds all detail there is.
+#define TILE_COARSE 3 // log2 of the tile's width in cells of the last own level
+#define TILE_LEVELS 3
+
+// The level whose random numbers a level has.
+static inline int drawn_level(global const Lattice* lattice, int level) {
+    level += lattice->drawn_from;
+    return level <= lattice->own ? level : lattice->own + 1 + (level - lattice->own - 1) % TILE_LEVELS;
+}
+
 // Coordinates of nodes of a level: those of one period, or all there are.
 static inline uint node_mask(global const Lattice* lattice, int level) {
+    if (level > lattice->own)
+        return (1U << (drawn_level(lattice, level) - lattice->own + TILE_COARSE)) - 1U;
     return lattice->repeats ? (1U << level) - 1U : 0xffffffffU;
 }
 
@@ -172,7 +190,8 @@ static inline void cell_normals(global const Lattice* lattice, int level, int cx
     const uint mask = node_mask(lattice, level);
     for (int k = 0; k < 3; ++k)
         for (int j = 0; j < 3; ++j) {
-            const uint row = row_bits(lattice->key_a, (uint)level, (uint)(2 * cy + j) & mask,
+            const uint row = row_bits(lattice->key_a, (uint)drawn_level(lattice, level),
+                                      (uint)(2 * cy + j) & mask,
                                       (uint)(2 * cz + k) & mask);
             const uint other = scramble(row + lattice->key_b);
             for (int i = 0; i < 3; ++i)
@@ -216,25 +235,30 @@ static inline Fluctuation trilinear(const float* v, float fx, float fy, float fz
     return found;
 }
 
-// The lattice with all levels up to `level`, which are stored, at a place of the unit cube, or of
-// space where it repeats.
-static inline Fluctuation stored_field(global const Lattice* lattice, global const short* nodes16,
-                                       global const float* nodes32, int level, Triple p) {
+// Stored nodes with their levels up to `level`, of `levels`, at a place of the unit cube, or of space
+// where it repeats. The first node is number `at`; nodes of 16 bits count by `step`.
+static inline Fluctuation nodes_field(global const short* nodes16, global const float* nodes32,
+                                      int at, float step, int levels, int level, Triple p) {
     const float cells = (float)(1 << level);
     const float x = p.x * cells, y = p.y * cells, z = p.z * cells;
     const float cx = floor(x), cy = floor(y), cz = floor(z);
     const int mask = (1 << level) - 1;
-    const int stride = 1 << (lattice->levels - level);
-    const int side = (1 << lattice->levels) + 1;
+    const int stride = 1 << (levels - level);
+    const int side = (1 << levels) + 1;
     const int first =
-        stride * (((int)cx & mask) + side * (((int)cy & mask) + side * ((int)cz & mask)));
+        at + stride * (((int)cx & mask) + side * (((int)cy & mask) + side * ((int)cz & mask)));
     float v[8];
     for (int corner = 0; corner < 8; ++corner) {
-        const int at = first + stride * ((corner & 1) + side * (((corner >> 1) & 1) +
-                                                                side * (corner >> 2)));
-        v[corner] = lattice->step > 0.0f ? lattice->step * (float)nodes16[at] : nodes32[at];
+        const int node = first + stride * ((corner & 1) + side * (((corner >> 1) & 1) +
+                                                                  side * (corner >> 2)));
+        v[corner] = step > 0.0f ? step * (float)nodes16[node] : nodes32[node];
     }
     return trilinear(v, x - cx, y - cy, z - cz, cells);
+}
+
+static inline Fluctuation stored_field(global const Lattice* lattice, global const short* nodes16,
+                                       global const float* nodes32, int level, Triple p) {
+    return nodes_field(nodes16, nodes32, 0, lattice->step, lattice->levels, level, p);
 }
 
 // Level 0: the corners of all unit cubes.
@@ -257,6 +281,12 @@ static inline void add_field(Fluctuation* sum, Fluctuation field, float share) {
     sum->gradient = plus(sum->gradient, scaled(field.gradient, share));
 }
 
+// Adds a field of places that are so many times as large.
+static inline void add_scaled(Fluctuation* sum, Fluctuation field, float share, float scale) {
+    sum->value += field.value * share;
+    sum->gradient = plus(sum->gradient, scaled(field.gradient, share * scale));
+}
+
 // Adds the levels `first` to `last`, and a share of the next one.
 static inline void add_levels_plainly(global const Lattice* lattice, int first, int last,
                                       float share, Triple p, Fluctuation* sum) {
@@ -271,6 +301,31 @@ void add_levels(const Lattice* lattice, int first, int last, float share, Triple
 #else
 #define add_levels add_levels_plainly
 #endif
+
+// Adds the levels from the first that is not the lattice's own to `last` likewise, three at a time
+// from the tile.
+static inline void add_tile(global const Lattice* lattice, global const short* nodes16,
+                            global const float* nodes32, int last, float share, Triple p,
+                            Fluctuation* sum) {
+    float scale = (float)(1 << (lattice->own - TILE_COARSE));
+    for (int base = lattice->own; base < last || (base == last && share > 0.0f);
+         base += TILE_LEVELS, scale *= (float)(1 << TILE_LEVELS)) {
+        const int most = last - base < TILE_LEVELS ? last - base : TILE_LEVELS;
+        const float next = most < TILE_LEVELS ? share : 0.0f;
+        const float spread = lattice->spread[base + 1];
+        const Triple place = scaled(p, scale);
+        if (most > 0)
+            add_scaled(sum,
+                       nodes_field(nodes16, nodes32, lattice->tile, lattice->tile_step,
+                                   TILE_COARSE + TILE_LEVELS, TILE_COARSE + most, place),
+                       spread * (1.0f - next), scale);
+        if (next > 0.0f)
+            add_scaled(sum,
+                       nodes_field(nodes16, nodes32, lattice->tile, lattice->tile_step,
+                                   TILE_COARSE + TILE_LEVELS, TILE_COARSE + most + 1, place),
+                       spread * next, scale);
+    }
+}
 
 // Whether the stored nodes hold the cube of a place.
 static inline int is_stored(global const Lattice* lattice, Triple p) {
@@ -320,8 +375,14 @@ static inline Fluctuation fluctuation(global const Lattice* lattice, global cons
     } else {
         sum = corner_field(lattice, p);
     }
-    add_levels(lattice, done + 1, whole,
-               done < lattice->levels && is_stored(lattice, p) ? 0.0f : share, p, &sum);
+    // What is not stored; where `share` was not of the stored levels, it is of what follows.
+    const float rest = done < lattice->levels && is_stored(lattice, p) ? 0.0f : share;
+    if (whole < lattice->own) {
+        add_levels(lattice, done + 1, whole, rest, p, &sum);
+    } else {
+        add_levels(lattice, done + 1, lattice->own, 0.0f, p, &sum);
+        add_tile(lattice, nodes16, nodes32, whole, rest, p, &sum);
+    }
     // A level taken by a share a is taken for its mean over the filter, of variance a^2; the rest
     // of its variance lies within.
     const float next = whole < lattice->finest ? lattice->spread[whole + 1] : 0.0f;

@@ -46,8 +46,9 @@ class LevelMaker {
         const float share = 1.0F / static_cast<float>(2 * count);
 
         const std::uint32_t mask = solid::node_mask(&lattice_, level_);
-        const std::uint32_t row =
-            solid::row_bits(lattice_.key_a, static_cast<std::uint32_t>(level_), y & mask, z & mask);
+        const std::uint32_t row = solid::row_bits(
+            lattice_.key_a, static_cast<std::uint32_t>(solid::drawn_level(&lattice_, level_)),
+            y & mask, z & mask);
         const std::uint32_t other = solid::scramble(row + lattice_.key_b);
         float* node = nodes_ + first * steps_[0] + y * steps_[1] + z * steps_[2];
         for (std::uint32_t x = first; x <= cells_; x += 2, node += 2 * steps_[0]) {

@@ -96,9 +96,9 @@ class LevelPlanes {
 
   private:
     std::uint32_t row_bits(std::size_t y, std::size_t z) const {
-        return solid::row_bits(lattice_.key_a, static_cast<std::uint32_t>(level_),
-                               static_cast<std::uint32_t>(y) & mask_,
-                               static_cast<std::uint32_t>(z) & mask_);
+        return solid::row_bits(
+            lattice_.key_a, static_cast<std::uint32_t>(solid::drawn_level(&lattice_, level_)),
+            static_cast<std::uint32_t>(y) & mask_, static_cast<std::uint32_t>(z) & mask_);
     }
 
     /// A row's variates, in the place where its nodes will stand.

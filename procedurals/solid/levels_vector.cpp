@@ -74,7 +74,8 @@ HWY_INLINE void add_cell(Cells& cells, const Lattice& lattice, int level, int cx
     for (std::uint32_t i = 0; i < 3; ++i) {
         cells.x[i][cells.count] = at(cx, i) * 0x9e3779b1U;
         y[i] = lattice.key_a + at(cy, i) * 0x9e3779b9U;
-        z[i] = at(cz, i) * 0x85ebca6bU + static_cast<std::uint32_t>(level) * 0xc2b2ae35U;
+        z[i] = at(cz, i) * 0x85ebca6bU +
+               static_cast<std::uint32_t>(solid::drawn_level(&lattice, level)) * 0xc2b2ae35U;
     }
     for (std::size_t row = 0; row < all_rows; ++row) {
         cells.y[all_rows * cells.count + row] = y[rows_y[row]];

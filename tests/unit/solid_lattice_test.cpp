@@ -176,6 +176,32 @@ TEST(SolidLattice, StoredAndOnDemandLevelsAgreeEverywhere) {
     }
 }
 
+TEST(SolidLattice, TheTileHoldsWhatItsLevelsAreOneByOne) {
+    for (const int stored : {0, 6, 7, 8})
+        for (const bool repeats : {true, false}) {
+            LatticeSettings settings = plain(stored, 0.4);
+            settings.detail = 14 - stored;
+            settings.repeats = repeats;
+            const FractalLattice lattice(settings);
+            Random random(9, Purpose::test);
+            for (int i = 0; i < 500; ++i) {
+                Triple p = somewhere(random, 2);
+                p = solid::within_reach(&lattice.header(), p);
+                for (const float width : {0.0F, 0.0007F, 0.004F, 0.011F}) {
+                    const float resolved = solid::resolved_level(&lattice.header(), width);
+                    const int whole = static_cast<int>(resolved);
+                    Fluctuation sum = solid::corner_field(&lattice.header(), p);
+                    solid::add_levels_plainly(&lattice.header(), 1, whole,
+                                              resolved - static_cast<float>(whole), p, &sum);
+                    const Fluctuation found = lattice.at(p, width);
+                    EXPECT_NEAR(found.value, sum.value, 5e-5) << stored << " " << width;
+                    const float steep = 1e-4F * (1 + std::abs(sum.gradient.x));
+                    EXPECT_NEAR(found.gradient.x, sum.gradient.x, 100 * steep);
+                }
+            }
+        }
+}
+
 TEST(SolidLattice, MoreLevelsRefineFewer) {
     const FractalLattice coarse(plain(4, 0.5)), fine(plain(6, 0.5));
     for (int z = 0; z <= 16; z += 3)
@@ -277,9 +303,9 @@ TEST(SolidLattice, SixteenBitsAreOffByHalfAStep) {
 
 TEST(SolidLattice, WhatIsLeftOutHasTheVarianceItSays) {
     // Over many lattices and places: mean square of all levels less those resolved. At widths that
-    // leave levels whole: between them one level is left out in part, and what varies within the
+    // leave levels whole (sqrt 2 times powers of 2): between them one level is left out in part, and what varies within the
     // filter is another thing than what was not added.
-    for (const float width : {0x1p-5F, 0x1p-3F, 0x1p-2F, 1.0F}) {
+    for (const float width : {0.0441942F, 0.1767767F, 0.3535534F, 1.4142136F}) {
         double squares = 0, said = 0;
         const int lattices = 40, places = 400;
         for (int l = 0; l < lattices; ++l) {
