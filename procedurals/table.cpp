@@ -3,7 +3,12 @@
 
 #include "procedurals/checker.h"
 #include "procedurals/image.h"
+#include "procedurals/solid/bark.h"
+#include "procedurals/solid/breccia.h"
+#include "procedurals/solid/granite.h"
+#include "procedurals/solid/leather.h"
 #include "procedurals/solid/marble.h"
+#include "procedurals/solid/stone.h"
 #include "procedurals/solid/wood.h"
 
 namespace scree {
@@ -12,7 +17,12 @@ Registry<MakeProcedural> procedural_table() {
     Registry<MakeProcedural> table("procedural");
     table.add(checker_plugin());
     table.add(image_plugin());
+    table.add(bark_plugin());
+    table.add(breccia_plugin());
+    table.add(granite_plugin());
+    table.add(solid_leather_plugin());
     table.add(marble_plugin());
+    table.add(stone_plugin());
     table.add(wood_plugin());
     return table;
 }

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stone put together of grains: cells of several sizes over one another, each of some mineral or
+// left out, so that smaller ones show there. Needs cells.cl.
+
+#define GRAINS_MOST_KINDS 12
+#define GRAINS_MOST_LAYERS 6
+
+typedef struct {
+    Triple color;
+    float value;     // what the sample's value is in it
+    float roughness; // below 0: the material's own
+    float variation; // of brightness from grain to grain, to either side
+    float facet;     // of brightness across a grain
+    float mottle;    // of brightness by D
+    float until;     // of the grain's normal number, in which kinds follow one another
+} GrainKind;
+
+typedef struct {
+    Cells cells;
+    Triple cluster_offset;
+    float clusters;      // correlation of a grain's normal number with D where its seed lies
+    float cluster_scale; // the lattice's cubes in a cell's length
+    float cluster_deviation; // of D, through a filter as wide as a cell
+    float gap;    // what is so near a border is left out, in cells; below 0: nothing is
+    float radius; // and what is so far from the seed
+    float rim;    // thickness of the grain's outer part, likewise
+    float rim_share; // of the rim's colour
+    Triple rim_color;
+    float whole;  // measured: share of space that grains would fill if no cell were left out
+    float core;   // and of the grains without their rims
+    int first;    // of its kinds
+    int end;
+} GrainLayer;
+
+typedef struct {
+    int layers;
+    GrainLayer layer[GRAINS_MOST_LAYERS];
+    GrainKind kind[GRAINS_MOST_KINDS];
+} Grains;
+
+// A layer's part in the filter: colours and numbers are multiplied by its share.
+typedef struct {
+    Triple color;
+    float value;
+    float roughness;
+    float share;
+    float border; // distance to the nearest, in cells, where it was asked for
+    Triple inwards; // in cells
+} GrainShare;
+
+static inline void add_grain(GrainShare* sum, global const GrainKind* kind, float brightness,
+                             float share) {
+    sum->color = plus(sum->color, scaled(kind->color, fmax(brightness, 0.0f) * share));
+    sum->value += kind->value * share;
+    sum->roughness += kind->roughness * share;
+    sum->share += share;
+}
+
+// Normal number of a grain: by itself, and by D where its seed lies, so that minerals crowd.
+static inline float grain_number(Field field, global const GrainLayer* layer, CellView view,
+                                 Seed seed) {
+    const float own = normal_variate(seed_bits(seed, 1U));
+    const float r = layer->clusters;
+    if (r == 0.0f)
+        return own;
+    const Triple place = plus(scaled(plus(view.place, seed.away), layer->cluster_scale),
+                              layer->cluster_offset);
+    const float d = fluctuation(field.lattice, field.nodes16, field.nodes32, place,
+                                fmax(layer->cluster_scale, 1.41422f / (float)(1 << field.lattice->levels)))
+                        .value;
+    return r * d / layer->cluster_deviation + sqrt(1.0f - r * r) * own;
+}
+
+// The kind of a cell's grain, or -1.
+static inline int grain_kind(global const Grains* grains, global const GrainLayer* layer,
+                             float number) {
+    for (int i = layer->first; i < layer->end; ++i)
+        if (number < grains->kind[i].until)
+            return i;
+    return -1;
+}
+
+// What space looks like from afar: its share `whole` of grains, of every kind as many as its part
+// of the normal distribution.
+static inline void add_mean_grains(global const Grains* grains, global const GrainLayer* layer,
+                                   float share, GrainShare* sum) {
+    float below = 0.0f;
+    const float rims = layer->rim_share * (layer->whole - layer->core);
+    for (int i = layer->first; i < layer->end; ++i) {
+        global const GrainKind* kind = &grains->kind[i];
+        const float until = normal_share(kind->until);
+        const float part = share * (until - below);
+        add_grain(sum, kind, 1.0f, part * layer->whole);
+        sum->color = plus(sum->color, scaled(minus(layer->rim_color, kind->color), part * rims));
+        below = until;
+    }
+}
+
+// What of its cell a grain has that begins `gap` from the borders and ends at `radius`: of the part
+// that the filter sees, by the plane between this cell and the other that it sees most of.
+static inline float grain_inside(CellView view, const Seeds* seeds, int i, float border,
+                                 Triple inwards, float gap, float radius, float whole) {
+    const float wide = smooth(0.12f, 0.5f, 0.28867513f * view.width);
+    if (wide >= 1.0f)
+        return whole;
+    if (i > 0)
+        border = -plane_distance(seeds, i, &inwards);
+    const float sigma = deviation_along(view, inwards) + 1e-9f;
+    const Triple to_seed = seeds->seed[i].away;
+    const float away = length_of(to_seed) + 1e-12f;
+    const float z = (radius - away) / (deviation_along(view, to_seed) / away + 1e-9f);
+    float inside = z > 4.0f ? 1.0f : z < -4.0f ? 0.0f : normal_share(z);
+    if (border < gap + 4.0f * sigma)
+        inside *= fmin(normal_share((border - gap) / sigma) / (normal_share(border / sigma) + 1e-9f),
+                       1.0f);
+    return mixed(inside, whole, wide);
+}
+
+static inline float grain_brightness(global const GrainKind* kind, Seed seed, float d) {
+    const uint bits = seed_bits(seed, 2U);
+    const Triple way = triple((float)(bits & 1023U) - 512.0f, (float)((bits >> 10) & 1023U) - 512.0f,
+                              (float)(bits >> 22) - 512.0f);
+    const float slant = limited(inner(way, seed.away) * (1.0f / 512.0f), -1.0f, 1.0f);
+    return fmax(1.0f + kind->variation * (2.0f * seed_unit(seed, 3U) - 1.0f) +
+                    kind->facet * slant + kind->mottle * d,
+                0.0f);
+}
+
+// The layer through the filter. `asked` is how far from borders the caller looks, in cells.
+static inline GrainShare grain_layer(Field field, global const Grains* grains,
+                                     global const GrainLayer* layer, Pushed at, float asked,
+                                     Seeds* seeds) {
+    GrainShare sum;
+    sum.color = sum.inwards = triple(0.0f, 0.0f, 0.0f);
+    sum.value = sum.roughness = sum.share = 0.0f;
+    sum.border = asked;
+    const CellView view = cell_view(&layer->cells, at);
+    const float blur = cells_blur(view.width);
+    if (blur > 0.0f)
+        add_mean_grains(grains, layer, blur, &sum);
+    if (blur >= 1.0f)
+        return sum;
+    const bool outlined = layer->gap >= 0.0f;
+    const float depth = outlined ? layer->gap + layer->rim : 0.0f;
+    const float margin = fmax(depth + border_margin(view), asked);
+    gather_seeds(view, layer->cells.jitter, CELLS_REACH, margin, 0.0f, seeds);
+    cell_shares(view, seeds);
+    if (outlined || asked > 0.0f)
+        sum.border = border_distance(seeds, margin, &sum.inwards);
+    for (int i = 0; i < seeds->count; ++i) {
+        float share = seeds->share[i] * (1.0f - blur);
+        if (share < 1e-3f)
+            continue;
+        const Seed seed = seeds->seed[i];
+        const int k = grain_kind(grains, layer, grain_number(field, layer, view, seed));
+        if (k < 0)
+            continue;
+        global const GrainKind* kind = &grains->kind[k];
+        const float brightness = grain_brightness(kind, seed, at.field);
+        if (!outlined) {
+            add_grain(&sum, kind, brightness, share);
+            continue;
+        }
+        const float inside = grain_inside(view, seeds, i, sum.border, sum.inwards, layer->gap,
+                                          layer->radius, layer->whole);
+        add_grain(&sum, kind, brightness, share * inside);
+        if (layer->rim_share > 0.0f) {
+            const float core =
+                grain_inside(view, seeds, i, sum.border, sum.inwards, layer->gap + layer->rim,
+                             layer->radius - layer->rim, layer->core);
+            sum.color = plus(sum.color, scaled(minus(layer->rim_color, scaled(kind->color, brightness)),
+                                               layer->rim_share * share * fmax(inside - core, 0.0f)));
+        }
+    }
+    return sum;
+}
+
+// All layers over one another: `covered` is the share of the filter that they fill together.
+static inline SolidSample all_grains(Field field, global const Grains* grains, int from, Pushed at,
+                                     Seeds* seeds, float* covered) {
+    SolidSample sample = no_sample();
+    float clear = 1.0f;
+    for (int i = from; i < grains->layers && clear > 1e-3f; ++i) {
+        const GrainShare found = grain_layer(field, grains, &grains->layer[i], at, 0.0f, seeds);
+        sample.color = plus(sample.color, scaled(found.color, clear));
+        sample.value += clear * found.value;
+        sample.roughness += clear * found.roughness;
+        clear *= 1.0f - fmin(found.share, 1.0f);
+    }
+    *covered = 1.0f - clear;
+    return sample;
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Balls about some seeds: pores, knobs, or, in stretched cells, flat or long ones. Needs cells.cl.
+
+typedef struct {
+    Cells cells;
+    float share;    // of seeds that have one
+    float smallest; // radius, in cells
+    float largest;
+    float edge; // deviation of the place of its edge; above 0 it has a slope
+    float mean; // of space
+} Spots;
+
+// Over a filter: how much of it lies in a ball, and how that changes.
+typedef struct {
+    float share;
+    Triple slope; // in cells
+} Spotted;
+
+// Part of one ball: the normal distribution's beyond its edge, and for a filter as wide as the ball
+// the part of a disk within a two-dimensional one.
+static inline Spotted ball_part(CellView view, Seed seed, float radius, float edge, Triple normal) {
+    Spotted part;
+    const float away = length_of(seed.away) + 1e-9f;
+    const float blur = deviation_along(view, seed.away) / away;
+    const float sigma = sqrt(square(blur) + square(edge)) + 1e-9f;
+    const float z = (radius - away) / sigma;
+    part.share = z > 4.0f ? 1.0f : z < -4.0f ? 0.0f : normal_share(z);
+    part.slope = scaled(seed.away, fabs(z) < 4.0f ? normal_density(z) / (sigma * away) : 0.0f);
+    const float wide = smooth(0.35f, 0.9f, 0.28867513f * view.width / radius);
+    if (wide > 0.0f) {
+        const float height = inner(normal, seed.away);
+        const float disk = fmax(square(radius) - square(height), 0.0f);
+        const Triple flat = minus(seed.away, scaled(normal, height));
+        const float u = inner(flat, view.across), v = inner(flat, view.along);
+        const float uu = inner(view.across, view.across) + 1e-12f;
+        const float vv = inner(view.along, view.along) + 1e-12f;
+        const float spread_u = disk + uu * (1.0f / 6.0f), spread_v = disk + vv * (1.0f / 6.0f);
+        const float soft = disk / sqrt(spread_u * spread_v + 1e-20f) *
+                           exp(-u * u / (uu * spread_u + 1e-20f) - v * v / (vv * spread_v + 1e-20f));
+        part.share = mixed(part.share, soft, wide);
+        part.slope = plus(scaled(part.slope, 1.0f - wide),
+                          scaled(plus(scaled(view.across, u / (uu * spread_u + 1e-20f)),
+                                      scaled(view.along, v / (vv * spread_v + 1e-20f))),
+                                 2.0f * soft * wide));
+    }
+    return part;
+}
+
+static inline float spot_radius(global const Spots* spots, Seed seed) {
+    return mixed(spots->smallest, spots->largest, square(seed_unit(seed, 5U)));
+}
+
+static inline Spotted no_spot(void) {
+    Spotted none;
+    none.share = 0.0f;
+    none.slope = triple(0.0f, 0.0f, 0.0f);
+    return none;
+}
+
+// Adds a part, as if it knew nothing of those before.
+static inline void add_spot(Spotted* sum, Spotted part) {
+    sum->slope = plus(scaled(sum->slope, 1.0f - part.share), scaled(part.slope, 1.0f - sum->share));
+    sum->share = 1.0f - (1.0f - sum->share) * (1.0f - part.share);
+}
+
+// How far seeds are looked for.
+static inline float spots_reach(global const Spots* spots, CellView view) {
+    return fmin(spots->largest + 3.0f * spots->edge + border_margin(view), CELLS_REACH);
+}
+
+static inline Triple filter_normal(CellView view) {
+    const Triple u = view.across, v = view.along;
+    const Triple n = triple(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+    return scaled(n, 1.0f / (length_of(n) + 1e-20f));
+}
+
+static inline Spotted spots_at(global const Spots* spots, Pushed at, Seeds* seeds) {
+    Spotted sum = no_spot();
+    if (!(spots->share > 0.0f))
+        return sum;
+    const CellView view = cell_view(&spots->cells, at);
+    const float blur = cells_blur(view.width);
+    if (blur < 1.0f) {
+        const Triple normal = filter_normal(view);
+        gather_seeds(view, spots->cells.jitter, spots_reach(spots, view), CELLS_REACH, 0.0f, seeds);
+        for (int i = 0; i < seeds->count; ++i) {
+            const Seed seed = seeds->seed[i];
+            if (seed_unit(seed, 4U) < spots->share)
+                add_spot(&sum, ball_part(view, seed, spot_radius(spots, seed), spots->edge, normal));
+        }
+    }
+    sum.share = mixed(sum.share, spots->mean, blur);
+    sum.slope = gradient_before(at, gradient_of_cells(&spots->cells, scaled(sum.slope, 1.0f - blur)));
+    return sum;
+}
