@@ -36,6 +36,9 @@ UseVectorPath::~UseVectorPath() {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-bool scalar_path_in_use() { return scalar; }
+bool scalar_path_in_use() {
+    static const bool no_vectors = vector_paths().size() == 1;
+    return scalar || no_vectors;
+}
 
 } // namespace scree

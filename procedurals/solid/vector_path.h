@@ -20,7 +20,8 @@ class UseVectorPath {
     UseVectorPath& operator=(const UseVectorPath&) = delete;
 };
 
-/// Whether "scalar" is in use; otherwise the best of vector_paths() is, unless another is named.
+/// Whether "scalar" is in use, as where there is nothing else; otherwise the best of vector_paths()
+/// is, unless another is named.
 bool scalar_path_in_use();
 
 } // namespace scree

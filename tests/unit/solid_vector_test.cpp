@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
 #include "procedurals/solid/fractal_lattice.h"
+#include "procedurals/solid/stripes.h"
 #include "procedurals/solid/vector_path.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 namespace scree {
 
@@ -78,6 +80,147 @@ TEST(SolidVector, LevelsOnDemandAreTheSameBitForBitOnAllPaths) {
                 ASSERT_EQ(found.variance, expected.variance) << name;
             }
         }
+    }
+}
+
+/// Places in and about a box, one of them on its corner.
+struct Places {
+    std::vector<float> x{0}, y{0}, z{0};
+
+    Places(float low, float high, std::size_t count) {
+        Random random(2, Purpose::test);
+        const auto one = [&] { return low + (high - low) * random.uniform_float(); };
+        while (x.size() < count) {
+            x.push_back(one());
+            y.push_back(one());
+            z.push_back(one());
+        }
+    }
+};
+
+std::vector<float> values_on(const std::string& name, std::size_t count, const auto& evaluate) {
+    const UseVectorPath path(name);
+    std::vector<float> found(count);
+    evaluate(std::span<float>(found));
+    return found;
+}
+
+/// All vector paths find the same bits; what the scalar path finds is returned with them.
+std::pair<std::vector<float>, std::vector<float>> compared(std::size_t count,
+                                                           const auto& evaluate) {
+    const std::vector<float> found = values_on(vector_paths().front(), count, evaluate);
+    for (const std::string& name : vector_paths())
+        if (name != "scalar") {
+            EXPECT_EQ(values_on(name, count, evaluate), found) << name;
+        }
+    return {found, values_on("scalar", count, evaluate)};
+}
+
+TEST(SolidVector, FluctuationsOfManyPointsAreThoseOfTheLattice) {
+    for (const bool repeats : {true, false})
+        for (const bool sixteen_bit : {true, false})
+            for (const int level : {0, 2, 5}) {
+                LatticeSettings settings;
+                settings.levels = 5;
+                settings.decay = 0.2; // neighbours differ by much
+                settings.repeats = repeats;
+                settings.sixteen_bit = sixteen_bit;
+                const FractalLattice lattice(settings);
+                const LatticeQuads quads(lattice, level);
+                const Places places(-2, 3, 1003);
+                const auto [found, expected] = compared(places.x.size(), [&](std::span<float> out) {
+                    quads.fluctuations(places.x, places.y, places.z, out);
+                });
+                for (std::size_t i = 0; i < found.size(); ++i)
+                    ASSERT_NEAR(found[i], expected[i], quads.error()) << i << " level " << level;
+                EXPECT_LT(quads.error(), 3e-4F);
+            }
+}
+
+solid::Vein vein(float centre, float half_width, float rate) {
+    solid::Vein found{};
+    found.centre = centre;
+    found.half_width = half_width;
+    found.rate = rate;
+    return found;
+}
+
+/// Eq. 8 in double precision.
+double vein_sum(const std::vector<solid::Vein>& veins, double period, double z) {
+    double sum = 0;
+    for (const solid::Vein& vein : veins) {
+        double away = z - double(vein.centre);
+        if (period > 0)
+            away -= period * std::round(away / period);
+        sum +=
+            std::exp(-double(vein.rate) * std::max(0.0, std::abs(away) - double(vein.half_width)));
+    }
+    return std::min(sum, 1.0);
+}
+
+TEST(SolidVector, VeinsOfManyPointsAreTheFormula) {
+    const std::vector<std::vector<solid::Vein>> sets = {
+        {},
+        {vein(0.5F, 0.05F, 30)},
+        {vein(0.08F, 0.01F, 43), vein(0.22F, 0.01F, 50), vein(0.41F, 0.02F, 52),
+         vein(0.55F, 0.01F, 60), vein(0.73F, 0.005F, 62), vein(0.91F, 0.01F, 67)},
+        {vein(0.3F, 0, 80), vein(0.3F, 0.1F, 20), vein(0.34F, 0.01F, 20)}, // more than 1 together
+        {vein(0.6F, 0.001F, 3000), vein(0.2F, 0.2F, 2)},
+        {vein(0.25F, 1e-5F, 1e7F), vein(0.75F, 0.1F, 1e30F)}}; // bins are wide for these
+    std::vector<float> z;
+    for (int i = -5000; i < 40000; ++i)
+        z.push_back(i < 0 ? 0.017F * static_cast<float>(i) : -1.5F + 1e-4F * static_cast<float>(i));
+    for (const auto& veins : sets)
+        for (const float period : {0.0F, 1.0F, 1.3F}) {
+            const VeinTable table(veins, period);
+            const auto [found, scalar] =
+                compared(z.size(), [&](std::span<float> out) { table.values(z, z, 0, out); });
+            for (std::size_t i = 0; i < z.size(); ++i) {
+                // Against the formula anywhere within two units in the last place of z.
+                const double reach = std::max(std::abs(double(z[i])), 0.5) * 0x1p-22;
+                double low = 1, high = 0;
+                for (int step = -4; step <= 4; ++step) {
+                    const double value =
+                        vein_sum(veins, double(period), double(z[i]) + reach * step / 4);
+                    low = std::min(low, value);
+                    high = std::max(high, value);
+                }
+                ASSERT_GE(double(found[i]), low - 3e-6) << z[i] << " period " << period;
+                ASSERT_LE(double(found[i]), high + 3e-6) << z[i] << " period " << period;
+                ASSERT_GE(double(scalar[i]), low - 3e-6) << z[i] << " period " << period;
+                ASSERT_LE(double(scalar[i]), high + 3e-6) << z[i] << " period " << period;
+            }
+        }
+}
+
+TEST(SolidVector, MarbleAndWoodArePushedByTheFluctuations) {
+    LatticeSettings settings;
+    settings.levels = 5;
+    const FractalLattice lattice(settings);
+    const LatticeQuads quads(lattice);
+    const Places places(0, 1, 2500);
+    const std::size_t count = places.x.size();
+    const auto [d, unused] = compared(count, [&](std::span<float> out) {
+        quads.fluctuations(places.x, places.y, places.z, out);
+    });
+
+    const std::vector<solid::Vein> veins{vein(0.3F, 0.02F, 20), vein(0.8F, 0.01F, 40)};
+    const VeinTable table(veins, 1);
+    const auto [marble, plain_marble] = compared(count, [&](std::span<float> out) {
+        marble_values(quads, table, 0.25F, places.x, places.y, places.z, out);
+    });
+    const PlainWood wood{0.4F, 0.6F, 12, 0.025F};
+    const auto [rings, plain_rings] = compared(count, [&](std::span<float> out) {
+        wood_values(quads, wood, places.x, places.y, places.z, out);
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z = double(places.z[i]) - 0.25 * double(d[i]);
+        ASSERT_NEAR(double(marble[i]), vein_sum(veins, 1, z), 1e-5);
+        ASSERT_NEAR(marble[i], plain_marble[i], 1e-5F + 40 * 0.25F * quads.error());
+        const double r = std::hypot(double(places.x[i]) - 0.4, double(places.y[i]) - 0.6);
+        const double turns = 12 * (r - 0.025 * double(d[i]));
+        ASSERT_NEAR(double(rings[i]), std::sin(2 * std::numbers::pi * turns), 1e-5);
+        ASSERT_NEAR(rings[i], plain_rings[i], 1e-5F + 6.3F * 12 * 0.025F * quads.error());
     }
 }
 
