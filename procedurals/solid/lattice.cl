@@ -49,6 +49,7 @@ static inline Triple minus(Triple a, Triple b) { return triple(a.x - b.x, a.y - 
 static inline Triple scaled(Triple a, float s) { return triple(a.x * s, a.y * s, a.z * s); }
 static inline float inner(Triple a, Triple b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 static inline float mixed(float a, float b, float share) { return a + (b - a) * share; }
+static inline float limited(float v, float low, float high) { return fmin(fmax(v, low), high); }
 
 // A bijection that spreads every bit over all (Wellons 2018, lowbias32).
 static inline uint scramble(uint h) {
@@ -340,8 +341,9 @@ static inline float resolved_level(global const Lattice* lattice, float width) {
     const float most = (float)lattice->finest;
     if (!(width > 0.0f))
         return most;
-    const float level = 0.5f - log2(width);
-    return level < 0.0f ? 0.0f : level > most ? most : level;
+    const float level = limited(0.5f - log2(width), 0.0f, most);
+    // Levels of the tile come and go whole: they are too weak for that to be seen.
+    return level < (float)lattice->own ? level : floor(level + 0.5f);
 }
 
 // The same place of the first cube where it repeats; otherwise within what integers can count.

@@ -4,6 +4,9 @@
 
 #define MARBLE_MOST_VEINS 32
 #define MARBLE_MOST_LAYERS 4
+#define PROFILE_POINTS 8192 // of a period, unfiltered; a power of 2
+#define PROFILE_LEVELS 11   // of filtered ones, each with half the points of the one before
+#define PROFILE_FINEST 1.5f // a level's deviation, in its points' distances
 
 // A plane layer of impurity: full within its half width, soaking out exponentially.
 typedef struct {
@@ -26,6 +29,9 @@ typedef struct {
     int veins;
     Triple color;
     Vein vein[MARBLE_MOST_VEINS];
+    // Of veins that repeat: the profile at even points of a period, then convolved with Gaussians,
+    // each level with twice the deviation of the one before.
+    float table[3 * PROFILE_POINTS];
 } VeinLayer;
 
 typedef struct {
@@ -85,13 +91,9 @@ static inline float vein_profile(const Vein* vein, float x, float sigma, float* 
     return inside + after + before - extra;
 }
 
-// G: all veins together at z along the axis, at most 1.
-static inline float veins_profile(global const VeinLayer* layer, float z, float sigma,
-                                  float* slope) {
+// All veins together at z along the axis, at most 1, in closed form.
+static inline float veins_sum(global const VeinLayer* layer, float z, float sigma, float* slope) {
     const float period = layer->period;
-    // Beyond this a Gaussian leaves less than 1e-3 of any periodic function but its mean.
-    if (period > 0.0f && sigma > 0.6f * period)
-        return layer->mean;
     const int images = period > 0.0f && sigma > 0.1f * period ? 1 : 0;
     float sum = 0.0f;
     for (int i = 0; i < layer->veins; ++i) {
@@ -105,6 +107,42 @@ static inline float veins_profile(global const VeinLayer* layer, float z, float 
     if (sum >= 1.0f)
         *slope = 0.0f;
     return fmin(sum, 1.0f);
+}
+
+// A level of the table at a share of the period; adds so much of the slope.
+static inline float table_row(global const float* row, int points, float place, float share,
+                              float* slope) {
+    const float at = place * (float)points;
+    const int i = (int)at;
+    const float low = row[i & (points - 1)], high = row[(i + 1) & (points - 1)];
+    *slope += share * (high - low) * (float)points;
+    return share * (low + (high - low) * (at - (float)i));
+}
+
+// The same from the layer's table, whose levels are mixed in between by the deviation.
+static inline float veins_table(global const VeinLayer* layer, float z, float sigma,
+                                float* slope) {
+    const float turns = z / layer->period;
+    const float place = turns - floor(turns);
+    const float wide = sigma / layer->period * ((float)PROFILE_POINTS / PROFILE_FINEST);
+    float steepness = 0.0f, value;
+    if (wide < 1.0f) { // variances add
+        const float share = wide * wide;
+        value = table_row(layer->table, PROFILE_POINTS, place, 1.0f - share, &steepness) +
+                table_row(layer->table + PROFILE_POINTS, PROFILE_POINTS, place, share, &steepness);
+    } else {
+        const int bits = as_int(wide); // 2^level (1 + share), as IEEE 754 has it
+        const int level = (bits >> 23) - 127;
+        if (level >= PROFILE_LEVELS - 1)
+            return layer->mean;
+        const float share = as_float((bits & 0x7fffff) | 0x3f800000) - 1.0f;
+        const int points = PROFILE_POINTS >> level;
+        global const float* row = layer->table + 3 * PROFILE_POINTS - 2 * points;
+        value = table_row(row, points, place, 1.0f - share, &steepness) +
+                table_row(row + points, points >> 1, place, share, &steepness);
+    }
+    *slope = steepness / layer->period;
+    return value;
 }
 
 // G' of one layer at a point, and its slope in the object's frame.
@@ -128,8 +166,11 @@ static inline float layer_value(Field field, global const VeinLayer* layer, Trip
     }
     variance += (square(inner(axis, u)) + square(inner(axis, v))) * (1.0f / 12.0f);
     float steepness = 0.0f;
-    const float value =
-        veins_profile(layer, inner(axis, p) - layer->start, sqrt(variance), &steepness);
+    const float z = inner(axis, p) - layer->start;
+    const float sigma = sqrt(variance);
+    const float value = layer->period > 0.0f && sigma > 0.0f
+                            ? veins_table(layer, z, sigma, &steepness)
+                            : veins_sum(layer, z, sigma, &steepness);
     *slope = scaled(gradient, steepness);
     return value;
 }

@@ -80,6 +80,11 @@ VeinLayer make_layer(const Params& params, const MarbleVeins& veins, unsigned in
     return layer;
 }
 
+SCREE_FOR_PROCESSORS solid::SolidSample marble_sample(solid::Field field, const Marble* marble,
+                                                      const solid::SolidPoint& point) {
+    return solid::marble_at(field, marble, point);
+}
+
 std::shared_ptr<const Procedural> make_marble(const Params& params) {
     const MarblePreset& preset = preset_of(params);
     const auto as_color = [](const Color& c) { return solid::Triple{c.x, c.y, c.z}; };
@@ -102,7 +107,7 @@ std::shared_ptr<const Procedural> make_marble(const Params& params) {
         const auto index = static_cast<unsigned>(marble.layers);
         marble.layer[marble.layers++] = make_layer(params, veins, index);
     }
-    return std::make_shared<SolidProcedural<Marble, solid::marble_at>>(
+    return std::make_shared<SolidProcedural<Marble, marble_sample>>(
         make_lattice(params), marble, SolidKernel{marble_source, "Marble", "marble_at"});
 }
 

@@ -41,7 +41,6 @@ static inline Triple turned_back(const Triple* rows, Triple v) {
 
 static inline float square(float v) { return v * v; }
 static inline float length_of(Triple v) { return sqrt(inner(v, v)); }
-static inline float limited(float v, float low, float high) { return fmin(fmax(v, low), high); }
 static inline Triple mixed3(Triple a, Triple b, float share) {
     return plus(scaled(a, 1.0f - share), scaled(b, share));
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace scree {
 
@@ -37,6 +38,36 @@ Sum veins_sum(const VeinLayer& layer, double z) {
         }
     }
     return sum;
+}
+
+/// Fills the table from the sum itself: cut off at 1, which the closed form of a vein knows nothing
+/// of, and then averaged.
+void make_table(VeinLayer& layer) {
+    std::vector<double> fine(PROFILE_POINTS);
+    double sum = 0;
+    for (int i = 0; i < PROFILE_POINTS; ++i) {
+        const double z = double(layer.period) * i / PROFILE_POINTS;
+        fine[static_cast<std::size_t>(i)] = std::min(1.0, veins_sum(layer, z).value);
+        layer.table[i] = as_float(fine[static_cast<std::size_t>(i)]);
+        sum += fine[static_cast<std::size_t>(i)];
+    }
+    layer.mean = as_float(sum / PROFILE_POINTS);
+    float* out = layer.table + PROFILE_POINTS;
+    for (int level = 0; level < PROFILE_LEVELS; ++level) {
+        const int stride = 1 << level;
+        const double sigma = double(PROFILE_FINEST) * stride; // in fine points
+        const int reach = static_cast<int>(5 * sigma);
+        for (int i = 0; i < PROFILE_POINTS; i += stride) {
+            double mean = 0, weights = 0;
+            for (int k = -reach; k <= reach; ++k) {
+                const double weight = std::exp(-0.5 * (k / sigma) * (k / sigma));
+                const auto at = static_cast<std::size_t>((i + k) & (PROFILE_POINTS - 1));
+                mean += weight * fine[at];
+                weights += weight;
+            }
+            *out++ = as_float(mean / weights);
+        }
+    }
 }
 
 } // namespace
@@ -88,13 +119,8 @@ void measure_profile(VeinLayer& layer) {
         vein.excess = above > 0 ? as_float(excess / above) : 0;
         vein.excess_half_width = as_float(reach * above / points);
     }
-    if (layer.period > 0) {
-        constexpr int many = 8192;
-        double mean = 0;
-        for (int k = 0; k < many; ++k)
-            mean += std::min(1.0, veins_sum(layer, double(layer.period) * (k + 0.5) / many).value);
-        layer.mean = as_float(mean / many);
-    }
+    if (layer.period > 0)
+        make_table(layer);
 }
 
 } // namespace scree
