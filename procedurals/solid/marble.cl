@@ -4,7 +4,7 @@
 
 #define MARBLE_MOST_VEINS 32
 #define MARBLE_MOST_LAYERS 4
-#define PROFILE_POINTS 8192 // of a period, unfiltered; a power of 2
+#define PROFILE_POINTS 8192 // unfiltered; a power of 2
 #define PROFILE_LEVELS 11   // of filtered ones, each with half the points of the one before
 #define PROFILE_FINEST 1.5f // a level's deviation, in its points' distances
 
@@ -13,8 +13,6 @@ typedef struct {
     float centre;     // along the axis [m]
     float half_width; // [m]
     float rate;       // alpha: 1 / diffusion length [1/m]
-    float excess;     // mean of what the veins' sum has above 1 around this one, and
-    float excess_half_width; // how far it has that [m]
 } Vein;
 
 typedef struct {
@@ -23,14 +21,16 @@ typedef struct {
     float start;      // the coordinate along the axis is inner(axis, position) - start [m]
     float push;       // k: displacement along the axis per unit of D [m]
     float period;     // [m]; 0: the veins stand there once
-    float mean;       // of the profile over a period
+    float start_of_table; // along the axis [m]
+    float length;     // of the table: the period, or all veins and as much again around them [m]
+    float mean;       // of the profile over that length
     float strength;   // of the colour where the profile is 1
     int iterations;   // of the displacement's inverse; 0: first order
     int veins;
     Triple color;
     Vein vein[MARBLE_MOST_VEINS];
-    // Of veins that repeat: the profile at even points of a period, then convolved with Gaussians,
-    // each level with twice the deviation of the one before.
+    // The profile at even points of the length, then convolved with Gaussians, each level with twice
+    // the deviation of the one before.
     float table[3 * PROFILE_POINTS];
 } VeinLayer;
 
@@ -47,65 +47,22 @@ typedef struct {
     VeinLayer layer[MARBLE_MOST_LAYERS];
 } Marble;
 
-// One side of a vein convolved with a Gaussian: exp(-rate d) for d > 0, 0 elsewhere, where d is the
-// distance from the edge outwards. `bell` is exp(-(d / sigma)^2 / 2), which all parts share.
-static inline float soaked(float d, float rate, float sigma, float bell) {
-    const float b = rate * sigma - d / sigma;
-    if (b > 0.0f)
-        return 0.5f * scaled_erfc(b * 0.70710678f) * bell;
-    const float whole = exp(-rate * d + 0.5f * square(rate * sigma));
-    return whole - 0.5f * scaled_erfc(-b * 0.70710678f) * bell;
-}
-
-// The profile at x from a vein's middle (eq. 8), convolved with a Gaussian of that deviation; its
-// derivative goes to *slope.
-static inline float vein_profile(const Vein* vein, float x, float sigma, float* slope) {
-    const float d = fabs(x) - vein->half_width;
-    // Farther away it gives less than 1e-5.
-    if (d > 5.0f * sigma && vein->rate * d - 0.5f * square(vein->rate * sigma) > 11.5f)
-        return 0.0f;
-    if (sigma * vein->rate < 1e-3f && sigma < 1e-3f * vein->half_width) {
-        if (d <= 0.0f)
-            return 1.0f;
-        const float g = exp(-vein->rate * d);
-        *slope += x > 0.0f ? -vein->rate * g : vein->rate * g;
-        return g;
-    }
-    const float right = x - vein->half_width, left = -x - vein->half_width; // outwards
-    const float right_bell = exp(-0.5f * square(right / sigma));
-    const float left_bell = exp(-0.5f * square(left / sigma));
-    const float right_half = 0.5f * scaled_erfc(fabs(right / sigma) * 0.70710678f) * right_bell;
-    const float left_half = 0.5f * scaled_erfc(fabs(left / sigma) * 0.70710678f) * left_bell;
-    const float inside = (right < 0.0f ? 1.0f - right_half : right_half) -
-                         (left < 0.0f ? left_half : 1.0f - left_half);
-    // The sum is at most 1 before it is averaged: what it has above 1 must not count. A filter that
-    // is narrow against it needs no such help, since the average itself is kept to 1.
-    const float extra =
-        vein->excess > 0.0f
-            ? vein->excess * smooth(0.2f, 1.0f, sigma / vein->excess_half_width) * (normal_share((vein->excess_half_width - x) / sigma) -
-                              normal_share((-vein->excess_half_width - x) / sigma))
-            : 0.0f;
-    const float after = soaked(right, vein->rate, sigma, right_bell);
-    const float before = soaked(left, vein->rate, sigma, left_bell);
-    *slope += vein->rate * (before - after);
-    return inside + after + before - extra;
-}
-
-// All veins together at z along the axis, at most 1, in closed form.
-static inline float veins_sum(global const VeinLayer* layer, float z, float sigma, float* slope) {
+// G of a point: all veins together at z along the axis, at most 1 (eq. 8). Adds its slope.
+static inline float veins_sum(global const VeinLayer* layer, float z, float* slope) {
     const float period = layer->period;
-    const int images = period > 0.0f && sigma > 0.1f * period ? 1 : 0;
-    float sum = 0.0f;
+    float sum = 0.0f, steepness = 0.0f;
     for (int i = 0; i < layer->veins; ++i) {
         const Vein vein = layer->vein[i];
         float x = z - vein.centre;
         if (period > 0.0f)
             x -= period * floor(x / period + 0.5f);
-        for (int image = -images; image <= images; ++image)
-            sum += vein_profile(&vein, x + (float)image * period, sigma, slope);
+        const float d = fabs(x) - vein.half_width;
+        const float g = d <= 0.0f ? 1.0f : exp(-vein.rate * d);
+        sum += g;
+        if (d > 0.0f)
+            steepness += x > 0.0f ? -vein.rate * g : vein.rate * g;
     }
-    if (sum >= 1.0f)
-        *slope = 0.0f;
+    *slope = sum < 1.0f ? steepness : 0.0f;
     return fmin(sum, 1.0f);
 }
 
@@ -119,12 +76,15 @@ static inline float table_row(global const float* row, int points, float place, 
     return share * (low + (high - low) * (at - (float)i));
 }
 
-// The same from the layer's table, whose levels are mixed in between by the deviation.
+// The same seen through a Gaussian, from the layer's table, whose levels are mixed in between by
+// the deviation.
 static inline float veins_table(global const VeinLayer* layer, float z, float sigma,
                                 float* slope) {
-    const float turns = z / layer->period;
+    const float turns = (z - layer->start_of_table) / layer->length;
+    if (layer->period == 0.0f && !(turns >= 0.0f && turns < 1.0f))
+        return 0.0f;
     const float place = turns - floor(turns);
-    const float wide = sigma / layer->period * ((float)PROFILE_POINTS / PROFILE_FINEST);
+    const float wide = sigma / layer->length * ((float)PROFILE_POINTS / PROFILE_FINEST);
     float steepness = 0.0f, value;
     if (wide < 1.0f) { // variances add
         const float share = wide * wide;
@@ -141,7 +101,7 @@ static inline float veins_table(global const VeinLayer* layer, float z, float si
         value = table_row(row, points, place, 1.0f - share, &steepness) +
                 table_row(row + points, points >> 1, place, share, &steepness);
     }
-    *slope = steepness / layer->period;
+    *slope = steepness / layer->length;
     return value;
 }
 
@@ -168,9 +128,8 @@ static inline float layer_value(Field field, global const VeinLayer* layer, Trip
     float steepness = 0.0f;
     const float z = inner(axis, p) - layer->start;
     const float sigma = sqrt(variance);
-    const float value = layer->period > 0.0f && sigma > 0.0f
-                            ? veins_table(layer, z, sigma, &steepness)
-                            : veins_sum(layer, z, sigma, &steepness);
+    const float value = sigma > 0.0f ? veins_table(layer, z, sigma, &steepness)
+                                     : veins_sum(layer, z, &steepness);
     *slope = scaled(gradient, steepness);
     return value;
 }

@@ -76,7 +76,7 @@ VeinLayer make_layer(const Params& params, const MarbleVeins& veins, unsigned in
         list_veins(layer, params, veins);
     else
         scatter_veins(layer, veins, params.number("size"), random);
-    measure_profile(layer);
+    tabulate(layer);
     return layer;
 }
 

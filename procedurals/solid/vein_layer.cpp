@@ -14,42 +14,50 @@ namespace {
 using solid::Vein;
 using solid::VeinLayer;
 
-/// Distance from a vein's middle, of its nearest image.
-double from_middle(const VeinLayer& layer, const Vein& vein, double z) {
-    const double x = z - double(vein.centre), period = double(layer.period);
-    return std::abs(period > 0 ? x - period * std::round(x / period) : x);
-}
-
-/// The veins' sum at z, not limited to 1, and which of them gives most.
-struct Sum {
-    double value = 0;
-    int largest = 0;
-};
-Sum veins_sum(const VeinLayer& layer, double z) {
-    Sum sum;
-    double nearest = 0;
+/// The veins' sum at z, at most 1.
+double veins_sum(const VeinLayer& layer, double z) {
+    double sum = 0;
     for (int i = 0; i < layer.veins; ++i) {
         const Vein& vein = layer.vein[i];
-        const double edge = from_middle(layer, vein, z) - double(vein.half_width);
-        sum.value += edge <= 0 ? 1 : std::exp(-double(vein.rate) * edge);
-        if (i == 0 || edge < nearest) {
-            nearest = edge;
-            sum.largest = i;
-        }
+        const double period = double(layer.period);
+        double x = z - double(vein.centre);
+        if (period > 0)
+            x -= period * std::round(x / period);
+        const double edge = std::abs(x) - double(vein.half_width);
+        sum += edge <= 0 ? 1 : std::exp(-double(vein.rate) * edge);
     }
-    return sum;
+    return std::min(1.0, sum);
 }
 
-/// Fills the table from the sum itself: cut off at 1, which the closed form of a vein knows nothing
-/// of, and then averaged.
+/// Where the table lies: a period, or all veins with their skirts and as much again on either side,
+/// so that filters find room.
+void place_table(VeinLayer& layer) {
+    layer.start_of_table = 0;
+    layer.length = layer.period;
+    if (layer.period > 0 || layer.veins == 0)
+        return;
+    float low = layer.vein[0].centre, high = low;
+    for (int i = 0; i < layer.veins; ++i) {
+        const Vein& vein = layer.vein[i];
+        const float reach = vein.half_width + 12 / vein.rate; // exp(-12) is nothing
+        low = std::min(low, vein.centre - reach);
+        high = std::max(high, vein.centre + reach);
+    }
+    layer.start_of_table = low - (high - low);
+    layer.length = 3 * (high - low);
+}
+
+/// Convolves the sum with Gaussians. A vein by itself has a closed form for that, but their sum is
+/// cut off at 1 before it is averaged, of which that knows nothing.
 void make_table(VeinLayer& layer) {
     std::vector<double> fine(PROFILE_POINTS);
     double sum = 0;
     for (int i = 0; i < PROFILE_POINTS; ++i) {
-        const double z = double(layer.period) * i / PROFILE_POINTS;
-        fine[static_cast<std::size_t>(i)] = std::min(1.0, veins_sum(layer, z).value);
-        layer.table[i] = as_float(fine[static_cast<std::size_t>(i)]);
-        sum += fine[static_cast<std::size_t>(i)];
+        const double z = double(layer.start_of_table) + double(layer.length) * i / PROFILE_POINTS;
+        const double value = veins_sum(layer, z);
+        fine[static_cast<std::size_t>(i)] = value;
+        layer.table[i] = as_float(value);
+        sum += value;
     }
     layer.mean = as_float(sum / PROFILE_POINTS);
     float* out = layer.table + PROFILE_POINTS;
@@ -98,29 +106,9 @@ void list_veins(VeinLayer& layer, const Params& params, const MarbleVeins& defau
     }
 }
 
-void measure_profile(VeinLayer& layer) {
-    constexpr int points = 512;
-    for (int i = 0; i < layer.veins; ++i) {
-        // A sum above 1 lies about its largest vein; where that is down to 1 / n of n veins it
-        // ends.
-        Vein& vein = layer.vein[i];
-        const double reach =
-            double(vein.half_width) + std::log(std::max(2, layer.veins)) / double(vein.rate);
-        int above = 0;
-        double excess = 0;
-        for (int k = 0; k < points; ++k) {
-            const double x = reach * ((2 * k + 1.0) / points - 1);
-            const Sum sum = veins_sum(layer, double(vein.centre) + x);
-            if (sum.value > 1 && sum.largest == i) {
-                ++above;
-                excess += sum.value - 1;
-            }
-        }
-        vein.excess = above > 0 ? as_float(excess / above) : 0;
-        vein.excess_half_width = as_float(reach * above / points);
-    }
-    if (layer.period > 0)
-        make_table(layer);
+void tabulate(VeinLayer& layer) {
+    place_table(layer);
+    make_table(layer);
 }
 
 } // namespace scree

@@ -15,8 +15,7 @@ void scatter_veins(solid::VeinLayer& layer, const MarbleVeins& veins, double siz
 /// leaves out is that of `defaults`. Throws Error when there are too many.
 void list_veins(solid::VeinLayer& layer, const Params& params, const MarbleVeins& defaults);
 
-/// Measures what the filters must know of the finished layer: its mean, and where the veins
-/// together have more than 1.
-void measure_profile(solid::VeinLayer& layer);
+/// Fills the finished layer's table of filtered profiles.
+void tabulate(solid::VeinLayer& layer);
 
 } // namespace scree
