@@ -66,7 +66,7 @@ for i, b in ipairs(bunnies) do
 end
 
 return scene {
-  film = { width = 1280, height = 720, samples = 160, clamp = 3, depth = 10, exposure = -0.45 },
+  film = { width = 1280, height = 720, samples = 128, clamp = 3, depth = 10, exposure = -0.2 },
   camera = camera.perspective { from = { -0.2, 1.35, 4.3 }, at = { 0.0, 0.82, 0 }, fov = 26, aperture = 0.012, focus = 4.1 },
   lights = {
     light.sky { zenith = { 0.35, 0.55, 0.95 }, horizon = { 0.95, 0.97, 1.0 }, ground = { 0.35, 0.33, 0.3 }, strength = 0.9 },

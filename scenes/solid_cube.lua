@@ -9,7 +9,7 @@ local function cube(material, x)
 end
 
 return scene {
-  film = { width = 1280, height = 720, samples = 96, clamp = 1 },
+  film = { width = 1280, height = 720, samples = 64, clamp = 1 },
   camera = camera.perspective { from = { 0, 0.42, 0.75 }, at = { 0, 0.044, 0 }, fov = 13.5 },
   lights = solid.lights(edge),
   objects = solid.studio {

@@ -11,7 +11,7 @@ local function ball(material, x)
 end
 
 return scene {
-  film = { width = 1280, height = 720, samples = 96, clamp = 1 },
+  film = { width = 1280, height = 720, samples = 64, clamp = 1 },
   camera = camera.perspective { from = { 0, 0.3, 0.55 }, at = { 0, 0.047, 0 }, fov = 15.5 },
   lights = solid.lights(2 * radius),
   objects = solid.studio {

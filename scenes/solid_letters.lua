@@ -12,7 +12,7 @@ end
 
 local step = 0.085
 return scene {
-  film = { width = 1280, height = 720, samples = 96, clamp = 1 },
+  film = { width = 1280, height = 720, samples = 64, clamp = 1 },
   camera = camera.perspective { from = { -0.42, 0.62, 1.5 }, at = { 0, 0.085, -0.03 }, fov = 14.2 },
   lights = solid.lights(0.25),
   objects = solid.studio {

@@ -8,7 +8,7 @@ local function pot(material, x)
 end
 
 return scene {
-  film = { width = 1280, height = 720, samples = 96, clamp = 1 },
+  film = { width = 1280, height = 720, samples = 64, clamp = 1 },
   camera = camera.perspective { from = { 0.0, 0.36, 0.75 }, at = { 0, 0.082, 0 }, fov = 16 },
   lights = solid.lights(0.14),
   objects = solid.studio {

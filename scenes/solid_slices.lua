@@ -25,7 +25,7 @@ objects[#objects + 1] = object { -- the step for the upper row
 }
 
 return scene {
-  film = { width = 1280, height = 400, samples = 96, clamp = 1 },
+  film = { width = 1280, height = 400, samples = 64, clamp = 1 },
   camera = camera.perspective { from = { 0, 0.95, 2.3 }, at = { 0, 0.085, -0.05 }, fov = 6.95 },
   lights = solid.lights(3 * edge),
   objects = solid.studio(objects),

@@ -8,7 +8,7 @@ local function add(shape, material, position, rotation)
   objects[#objects + 1] = object { shape = shape, material = material, position = position, rotation = rotation }
 end
 
--- Cut with its hollow to the pith, as turners do: end grain to the left and right.
+-- Cut with its foot to the pith: years show as ovals in its hollow, end grain to the left and right.
 local bowl_wood = wood({
   preset = "ash", ring_thickness = 0.0046, late = srgb("#9d7245"), turbulence = 2.6, axis = { 1, 0, 0 }, origin = { 0, -0.035, 0.012 }, seed = 2,
 }, 0.3)
