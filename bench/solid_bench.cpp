@@ -4,6 +4,8 @@
 //   solid_bench [lattices|throughput ...]     all unless named
 #include "bench/gather_limit.h"
 #include "bench/measure.h"
+#include "bench/solid_pictures.h"
+#include "core/parallel.h"
 #include "core/random.h"
 #include "procedurals/solid/fractal_lattice.h"
 #include "procedurals/solid/stripes.h"
@@ -177,4 +179,13 @@ int main(int count, char** arguments) {
         print_lattices();
     if (wanted("throughput"))
         print_throughput();
+    const ThreadLimit one_thread(1);
+    if (wanted("antialiasing"))
+        bench::print_antialiasing();
+    if (wanted("floor"))
+        bench::print_floor();
+    if (wanted("shading"))
+        bench::print_shading();
+    if (wanted("table"))
+        bench::print_table_1();
 }
