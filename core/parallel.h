@@ -5,6 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 #include <cstddef>
@@ -35,6 +36,12 @@ void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
         for (std::size_t i = range.begin(); i != range.end(); ++i)
             body(i);
     });
+}
+
+/// Sorts by `less`, which must tell any two elements apart: equal ones come in any order.
+template <class Iterator, class Less>
+void parallel_sort(Iterator begin, Iterator end, const Less& less) {
+    tbb::parallel_sort(begin, end, less);
 }
 
 } // namespace scree

@@ -2,10 +2,10 @@
 #include "core/voxel_grid.h"
 
 #include "core/error.h"
+#include "core/line_crossing.h"
 #include "core/parallel.h"
 
 #include <algorithm>
-#include <optional>
 #include <tuple>
 
 namespace scree {
@@ -17,38 +17,8 @@ using Vec3d = Imath::V3d;
 /// Where a line along z crosses the surface.
 struct Crossing {
     int column;
-    double z;
-    int turn; // +1 where the surface faces down: into the body for faces that look outwards
+    LineCrossing at;
 };
-
-// Which side of the line a-b the point is on, seen along z: never 0 but for a = b, and the
-// opposite of that of b-a to the last bit, so that each point above a closed surface is in as many
-// triangles that face up as face down.
-int side_of(const Vec3d& a, const Vec3d& b, const Vec2& p) {
-    if (b.x < a.x || (b.x == a.x && b.y < a.y))
-        return -side_of(b, a, p);
-    const double side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-    if (side != 0)
-        return side > 0 ? 1 : -1;
-    // On the line: as if the point lay a little towards +x, and less towards +y (Edelsbrunner &
-    // Muecke 1990, "Simulation of simplicity").
-    if (b.y != a.y)
-        return b.y < a.y ? 1 : -1;
-    return b.x > a.x ? 1 : 0;
-}
-
-/// The turn and the depth at which the line through p along z crosses the triangle.
-std::optional<Crossing> crossing(const std::array<Vec3d, 3>& v, const Vec2& p) {
-    const int first = side_of(v[0], v[1], p);
-    if (first == 0 || side_of(v[1], v[2], p) != first || side_of(v[2], v[0], p) != first)
-        return {};
-    const Vec3d normal = (v[1] - v[0]).cross(v[2] - v[0]);
-    double z = v[0].z;
-    if (normal.z != 0)
-        z -= (normal.x * (p.x - v[0].x) + normal.y * (p.y - v[0].y)) / normal.z;
-    const auto [low, high] = std::minmax({v[0].z, v[1].z, v[2].z});
-    return Crossing{0, std::clamp(z, low, high), -first};
-}
 
 // The first cell whose centre is not below `at`, in [0, count].
 int cell_from(double at, int count) {
@@ -101,25 +71,23 @@ std::vector<std::uint8_t> voxels_inside(const Mesh& mesh, const VoxelGrid& grid)
             const auto [low, high] = std::minmax({v[0].x, v[1].x, v[2].x});
             for (int i = cell_from(low, grid.count[0]);
                  i < cell_from(std::nextafter(high, high + 1), grid.count[0]); ++i)
-                if (auto found = crossing(v, {i + 0.5, j + 0.5})) {
-                    found->column = i;
-                    crossings.push_back(*found);
-                }
+                if (const auto found = line_crossing(v, {i + 0.5, j + 0.5}))
+                    crossings.push_back({i, *found});
         }
         std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
-            return std::tie(a.column, a.z) < std::tie(b.column, b.z);
+            return std::tie(a.column, a.at.z) < std::tie(b.column, b.at.z);
         });
         int winding = 0;
         for (std::size_t n = 0; n + 1 < crossings.size(); ++n) {
             const Crossing& from = crossings[n];
             const Crossing& to = crossings[n + 1];
-            winding += from.turn;
+            winding += from.at.turn;
             if (to.column != from.column) {
                 winding = 0;
                 continue;
             }
-            for (int k = cell_from(from.z, grid.count[2]);
-                 winding != 0 && k < cell_from(to.z, grid.count[2]); ++k)
+            for (int k = cell_from(from.at.z, grid.count[2]);
+                 winding != 0 && k < cell_from(to.at.z, grid.count[2]); ++k)
                 inside[grid.index(from.column, j, k)] = 1;
         }
     });

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/math.h"
+
+#include <algorithm>
+#include <array>
+
+namespace scree {
+
+/// Distances to one triangle, in 32 bits from its first corner, so that it may lie anywhere.
+class TriangleDistance {
+  public:
+    explicit TriangleDistance(const std::array<Imath::V3d, 3>& corners)
+        : first_(corners[0]), second_(corners[1] - corners[0]), third_(corners[2] - corners[0]) {
+        const std::array<Vec3, 3> sides{second_, third_ - second_, -third_};
+        const Vec3 normal = Vec3(sides[0].cross(third_)).normalized();
+        plane_ = normal;
+        for (std::size_t k = 0; k < 3; ++k) {
+            along_[k] = sides[k];
+            inward_[k] = normal.cross(sides[k]);
+            inverse_[k] = sides[k].length2() > 0 ? 1.0F / sides[k].length2() : 0.0F;
+        }
+    }
+
+    /// The lower bound that the triangle's plane gives.
+    double plane_distance(const Imath::V3d& p) const {
+        return std::abs((p - first_).dot(Imath::V3d(plane_)));
+    }
+
+    double distance(const Imath::V3d& p) const {
+        const Vec3 v(p - first_);
+        return std::sqrt(double(squared(v.x, v.y, v.z)));
+    }
+
+    /// Lowers each of squared[0..7] to the squared distance of p, p + (1, 0, 0), ... p + (7, 0, 0).
+    void lower_row(const Imath::V3d& p, float* lowest) const {
+        const Vec3 v(p - first_);
+        for (int i = 0; i < 8; ++i)
+            lowest[i] = std::min(lowest[i], squared(v.x + float(i), v.y, v.z));
+    }
+
+  private:
+    // Without branches, so that compilers make vectors of it.
+    float squared(float x, float y, float z) const {
+        const float plane = x * plane_.x + y * plane_.y + z * plane_.z;
+        const float s0 = x * inward_[0].x + y * inward_[0].y + z * inward_[0].z;
+        const float x1 = x - second_.x, y1 = y - second_.y, z1 = z - second_.z;
+        const float s1 = x1 * inward_[1].x + y1 * inward_[1].y + z1 * inward_[1].z;
+        const float s2 = x * inward_[2].x + y * inward_[2].y + z * inward_[2].z;
+        const float x2 = x - third_.x, y2 = y - third_.y, z2 = z - third_.z;
+        const float edges =
+            std::min({to_side(0, x, y, z), to_side(1, x1, y1, z1), to_side(2, x2, y2, z2)});
+        // A triangle without area has no normal, and none of this is positive.
+        return std::min({s0, s1, s2}) > 0 ? plane * plane : edges;
+    }
+
+    float to_side(std::size_t k, float x, float y, float z) const {
+        const Vec3& d = along_[k];
+        const float t = std::clamp((x * d.x + y * d.y + z * d.z) * inverse_[k], 0.0F, 1.0F);
+        const float u = x - t * d.x, v = y - t * d.y, w = z - t * d.z;
+        return u * u + v * v + w * w;
+    }
+
+    Imath::V3d first_;
+    Vec3 second_, third_; // from the first
+    Vec3 plane_;
+    std::array<Vec3, 3> along_, inward_;
+    std::array<float, 3> inverse_; // of the squared lengths
+};
+
+} // namespace scree
