@@ -39,6 +39,10 @@ enum class Purpose : std::uint32_t {
     solid_ring = 52,
     solid_knot = 53,
     solid_cell = 54,
+    pile_order = 60,
+    pile_turn = 61,
+    pile_ray = 62,
+    pile_inside = 63,
 };
 
 /// A stream of uniform numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et al.

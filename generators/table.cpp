@@ -4,6 +4,7 @@
 #include "generators/elements/elements_generator.h"
 #include "generators/layout/layout_generator.h"
 #include "generators/leather/leather_generator.h"
+#include "generators/pile/pile_generator.h"
 
 namespace scree {
 
@@ -12,6 +13,7 @@ Registry<Bake> generator_table() {
     table.add(layout_plugin());
     table.add(elements_plugin());
     table.add(leather_plugin());
+    table.add(pile_plugin());
     return table;
 }
 

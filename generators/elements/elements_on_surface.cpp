@@ -23,23 +23,6 @@ void check_params(const Params& params) {
         throw params.error("relax", "is set, but elements on a surface do not move");
 }
 
-// Interpolated between the corners' normals; the triangle's own where there are none.
-Vec3 normal_at(const Mesh& mesh, const SurfaceSample& sample) {
-    if (mesh.normals.empty())
-        return sample.normal;
-    const Mesh::Triangle& t = mesh.triangles[sample.triangle];
-    const Imath::V3d a(mesh.positions[t[0]]);
-    const Imath::V3d ab = Imath::V3d(mesh.positions[t[1]]) - a;
-    const Imath::V3d ac = Imath::V3d(mesh.positions[t[2]]) - a;
-    const Imath::V3d to = sample.position - a;
-    const Imath::V3d n = ab.cross(ac);
-    const auto v = static_cast<float>(to.cross(ac).dot(n) / n.length2());
-    const auto w = static_cast<float>(ab.cross(to).dot(n) / n.length2());
-    const Vec3 smooth =
-        mesh.normals[t[0]] * (1 - v - w) + mesh.normals[t[1]] * v + mesh.normals[t[2]] * w;
-    return smooth.length() > 0 ? smooth.normalized() : sample.normal;
-}
-
 // The component's centre goes to the sample, its y axis along the normal, and its x axis, at angle
 // 0, along the surface's level line.
 Matrix standing(const ElementShape& shape, const Vec3& normal, const Imath::V3d& position,
@@ -92,7 +75,8 @@ Aggregate bake_on_surface(const Params& params, const std::vector<ElementShape>&
             Random(problem.seed, Purpose::disk_class, i).uniform(shape.turn.low, shape.turn.high);
         aggregate.instances[i] = {
             .prototype = components[i],
-            .world_from_object = standing(shape, normal_at(*mesh, sample), sample.position, angle),
+            .world_from_object =
+                standing(shape, smooth_normal(*mesh, sample), sample.position, angle),
             .random = Random(problem.seed, Purpose::instance_attribute, i).uniform_float(),
             .angle = angle,
             .scale = 1};

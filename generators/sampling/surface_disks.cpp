@@ -215,4 +215,20 @@ SurfaceDiskSet sample_surface_disks(const SurfaceDiskProblem& problem, const Con
     return cells.result();
 }
 
+Vec3 smooth_normal(const Mesh& mesh, const SurfaceSample& sample) {
+    if (mesh.normals.empty())
+        return sample.normal;
+    const Mesh::Triangle& t = mesh.triangles[sample.triangle];
+    const Imath::V3d a(mesh.positions[t[0]]);
+    const Imath::V3d ab = Imath::V3d(mesh.positions[t[1]]) - a;
+    const Imath::V3d ac = Imath::V3d(mesh.positions[t[2]]) - a;
+    const Imath::V3d to = sample.position - a;
+    const Imath::V3d n = ab.cross(ac);
+    const auto v = static_cast<float>(to.cross(ac).dot(n) / n.length2());
+    const auto w = static_cast<float>(ab.cross(to).dot(n) / n.length2());
+    const Vec3 smooth =
+        mesh.normals[t[0]] * (1 - v - w) + mesh.normals[t[1]] * v + mesh.normals[t[2]] * w;
+    return smooth.length() > 0 ? smooth.normalized() : sample.normal;
+}
+
 } // namespace scree

@@ -39,4 +39,8 @@ struct SurfaceDiskSet {
 /// are not finite, and for a distance so small that there would be over 2^27 samples.
 SurfaceDiskSet sample_surface_disks(const SurfaceDiskProblem& problem, const Context& context);
 
+/// The normal at a sample of the mesh, of length 1: interpolated between those of the triangle's
+/// corners, the triangle's own where there are none.
+Vec3 smooth_normal(const Mesh& mesh, const SurfaceSample& sample);
+
 } // namespace scree

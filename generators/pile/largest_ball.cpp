@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/pile/largest_ball.h"
+
+#include "generators/pile/triangle_distance.h"
+
+#include <limits>
+
+namespace scree {
+
+namespace {
+
+float distance_to(const std::vector<DistanceTriangle>& triangles, const Vec3& p) {
+    float least = std::numeric_limits<float>::max();
+    for (const DistanceTriangle& triangle : triangles)
+        least = std::min(least, triangle.distance2(p));
+    return std::sqrt(least);
+}
+
+// Evenly over the sphere (a Fibonacci lattice), turned a little more every round so that a ridge
+// of the distance is met along itself sooner or later.
+Vec3 direction(int i, int count, int round) {
+    const double y = 1 - (2 * i + 1.0) / count;
+    const double turn = i * pi * (3 - std::sqrt(5.0)) + 0.7 * round;
+    const double r = std::sqrt(1 - y * y);
+    return {static_cast<float>(r * std::cos(turn)), static_cast<float>(y),
+            static_cast<float>(r * std::sin(turn))};
+}
+
+} // namespace
+
+Ball climb_to_largest(const Mesh& mesh, const Ball& start) {
+    // No more than twice the start's radius is ever climbed to, from less than that away.
+    constexpr float farthest = 4;
+    std::vector<DistanceTriangle> near;
+    for (const Mesh::Triangle& t : mesh.triangles) {
+        const DistanceTriangle triangle(
+            {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
+        if (triangle.distance2(start.centre) < farthest * start.radius * farthest * start.radius)
+            near.push_back(triangle);
+    }
+    Ball best{start.centre, distance_to(near, start.centre)};
+    constexpr int directions = 24;
+    float step = 0.2F * start.radius;
+    for (int round = 0; step > 1e-4F * start.radius && round < 400; ++round) {
+        bool climbed = false;
+        for (int i = 0; i < directions && !climbed; ++i) {
+            const Vec3 to = best.centre + direction(i, directions, round) * step;
+            if ((to - start.centre).length() > start.radius)
+                continue;
+            const float radius = distance_to(near, to);
+            if (radius > best.radius * (1 + 1e-6F)) {
+                best = {to, radius};
+                climbed = true;
+            }
+        }
+        if (!climbed)
+            step *= 0.6F;
+    }
+    return best;
+}
+
+} // namespace scree

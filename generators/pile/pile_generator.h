@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generators/table.h"
+
+namespace scree {
+
+/// generator.pile: components piled on the surface of a shape (Sakurai 2013, chapter 4).
+Plugin<Bake> pile_plugin();
+
+} // namespace scree

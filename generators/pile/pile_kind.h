@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "generators/pile/pile_component.h"
+
+namespace scree {
+
+/// A component with how it is to be placed.
+struct PileKind {
+    PileComponent component;
+    double weight = 1;
+    double spacing = 1;     // C_radius
+    double refine = 2;      // C_refine
+    Vec3 rotation{0, 0, 0}; // widths of the ranges about u, v and w [rad]
+
+    /// r C_radius [m]: two of it are the distance between sites.
+    double distribution_radius() const { return component.distribution_radius * spacing; }
+    /// How far outwards it may move [m].
+    double range() const { return distribution_radius() * refine; }
+};
+
+/// One placed component.
+struct Placed {
+    std::uint32_t kind = 0;
+    Pose pose;
+};
+
+} // namespace scree

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/context.h"
+#include "generators/pile/pile_kind.h"
+
+#include <span>
+
+namespace scree {
+
+/// A place on the target's surface at which a component is tried, with its turn.
+struct PileSite {
+    Imath::V3d position;
+    Vec3 normal;                      // of the surface, outwards, of length 1
+    Imath::M33f world_from_component; // the component's turn there
+    std::uint32_t kind = 0;
+
+    /// The component moved outwards by `height` [m].
+    Placed at(double height) const {
+        return {kind, {position + Imath::V3d(normal) * height, world_from_component}};
+    }
+};
+
+/// What the components' v axes point along before they are turned at random: the surface's normal,
+/// or the world's y axis.
+enum class PileFrame { surface, global };
+
+/// A maximal set of sites for each kind, two of its distribution radii apart, in the order in which
+/// they are tried: random within a kind, and every kind as often as its weight says while it has
+/// sites left. Every `pass` has other ones. Throws as `sample_surface_disks`.
+std::vector<PileSite> pile_sites(const Mesh& target, std::span<const PileKind> kinds,
+                                 PileFrame frame, std::uint64_t seed, std::uint32_t pass,
+                                 const Context& context);
+
+} // namespace scree
