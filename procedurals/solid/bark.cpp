@@ -12,6 +12,11 @@ namespace {
 
 using solid::Bark;
 
+SCREE_FOR_PROCESSORS solid::SolidSample bark_sample(solid::Field field, const Bark* bark,
+                                                    const solid::SolidPoint& point) {
+    return solid::bark_at(field, bark, point);
+}
+
 std::shared_ptr<const Procedural> make_bark(const Params& params) {
     const BarkPreset& preset = preset_named(bark_presets(), params);
     const SolidFrame frame = solid_frame(params);
@@ -56,7 +61,7 @@ std::shared_ptr<const Procedural> make_bark(const Params& params) {
     bark.roughness = as_float(number_or(params, "roughness", preset.roughness));
     bark.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = shapes_program({bark_source});
-    return std::make_shared<SolidProcedural<Bark, solid::bark_at>>(
+    return std::make_shared<SolidProcedural<Bark, bark_sample>>(
         make_lattice(params), bark, SolidKernel{text.c_str(), "Bark", "bark_at"});
 }
 

@@ -18,18 +18,18 @@ BarkPreset bark(const char* name, unsigned dark, unsigned light, unsigned fissur
 }
 
 BarkPreset oak() { // long ridges that part and meet
-    BarkPreset preset = bark("oak", 0x665a4c, 0x93887a, 0x1d1611);
-    preset.fissures = {{22e-3, 6e-3, 0.045, 0.95, 4.5},
-                       {9e-3, 1.6e-3, 0.05, 0.7, 3},
-                       {5e-3, 0.5e-3, 0.03, 0.45, 0.9}};
+    BarkPreset preset = bark("oak", 0x75695a, 0xa3988a, 0x241c16);
+    preset.fissures = {{21e-3, 5.5e-3, 0.05, 0.92, 4.5},
+                       {8e-3, 1.2e-3, 0.05, 0.45, 3},
+                       {6e-3, 0.4e-3, 0.02, 0.35, 0.8}};
     preset.flakes = {12e-3, 0.8e-3, 0.06, 0, 2.5};
-    preset.lichen = shown(0x8f9b78);
+    preset.lichen = shown(0x98a27f);
     preset.lichen_share = 0.35;
     preset.fibre = 0.10;
     preset.relief = 0.5e-3;
     preset.relief_size = 12e-3;
     preset.relief_stretch = 4;
-    preset.turbulence = 5;
+    preset.turbulence = 4;
     return preset;
 }
 
@@ -53,10 +53,10 @@ BarkPreset birch() { // white, with pores across and black scars
     preset.pores = {24e-3, 0.45, 0.10, 0.36, 0.13, 0.015};
     preset.pore = shown(0x4a3d34);
     preset.pore_height = 0.3e-3;
-    preset.scars = {70e-3, 0.35, 0.08, 0.34, 0.55, 0.02};
+    preset.scars = {48e-3, 0.3, 0.06, 0.36, 0.4, 0.02};
     preset.scar = shown(0x1f1b18);
-    preset.scar_height = 1.0e-3;
-    preset.turbulence = 2.5;
+    preset.scar_height = 0.7e-3;
+    preset.turbulence = 3.5;
     preset.roughness = 0.6;
     return preset;
 }
@@ -79,7 +79,7 @@ BarkPreset plane() { // patches where flakes have fallen off
 BarkPreset cherry() { // satin, with pores in rows
     BarkPreset preset = bark("cherry", 0x4f271f, 0x7c4433, 0x1f0f0b);
     preset.flakes = {30e-3, 0.3e-3, 0.09, 0, 0.4};
-    preset.fissures = {{55e-3, 0.25e-3, 0.008, 0.5, 0.8}};
+    preset.fissures = {{40e-3, 0.12e-3, 0.006, 0.25, 0.3}};
     preset.bands = {shown(0x9c6650), 11e-3, 0.45, 0.45, 0.15, 0.1e-3};
     preset.pores = {17e-3, 0.5, 0.12, 0.40, 0.16, 0.03};
     preset.pore = shown(0xb48a66);

@@ -45,14 +45,14 @@ static inline float veins_share(global const CellVeins* veins, Pushed at, Seeds*
     return mixed(share, veins->mean, smooth(0.12f, 0.5f, 0.28867513f * view.width));
 }
 
-static inline SolidSample breccia_part(Field field, global const Breccia* breccia,
-                                       Triple position, Triple across, Triple along,
-                                       float random) {
+static inline SolidSample breccia_part(Field field, global const Breccia* breccia, Triple position,
+                                       Triple across, Triple along, float random) {
     const Pushed at = pushed(field, &breccia->push, position, across, along, random);
     global const GrainLayer* first = &breccia->grains.layer[0];
     // The largest stones, and what is between them.
     const CellView view = cell_view(&first->cells, at);
-    const float asked = first->gap + 4.0f * breccia->edge;
+    const float gap = grain_gap(first, at);
+    const float asked = fmax(gap, 0.0f) + 4.0f * breccia->edge;
     Seeds seeds;
     const GrainShare stones = grain_layer(field, &breccia->grains, first, at, asked, &seeds);
     float covered;
@@ -61,8 +61,8 @@ static inline SolidSample breccia_part(Field field, global const Breccia* brecci
     if (breccia->bands > 0.0f) {
         const float k = 6.2831853f * breccia->band_rate;
         const float sigma = k * deviation_along(view, stones.inwards);
-        const float wave = cos(k * stones.border) * exp(-0.5f * square(sigma)) *
-                           (1.0f - cells_blur(view.width));
+        const float wave =
+            cos(k * stones.border) * exp(-0.5f * square(sigma)) * (1.0f - cells_blur(view.width));
         cement = mixed3(cement, breccia->band, breccia->bands * (0.5f + 0.5f * wave));
     }
     sample.color = plus(sample.color, scaled(cement, 1.0f - covered));
@@ -78,19 +78,21 @@ static inline SolidSample breccia_part(Field field, global const Breccia* brecci
         sample.value *= 1.0f - share;
     }
     if (breccia->relief > 0.0f) {
-        const float sigma = sqrt(square(breccia->edge) +
-                                 square(deviation_along(view, stones.inwards)));
-        const float z = (stones.border - first->gap) / sigma;
+        const float sigma =
+            sqrt(square(breccia->edge) + square(deviation_along(view, stones.inwards)));
+        const float z = (stones.border - gap) / sigma;
         const float blur = cells_blur(view.width);
         sample.height = breccia->relief * mixed(normal_share(z), first->whole, blur);
-        sample.slope = scaled(gradient_before(at, gradient_of_cells(&first->cells, stones.inwards)),
-                              breccia->relief * (1.0f - blur) * normal_density(z) / sigma);
+        const Triple inwards =
+            gradient_before(at, gradient_of_cells(&first->cells, stones.inwards));
+        sample.slope =
+            scaled(minus(inwards, scaled(at.field_slope, first->gap * first->gap_by_field)),
+                   breccia->relief * (1.0f - blur) * normal_density(z) / sigma);
     }
     hew(field, &breccia->hewn, position, across, along, random, &sample);
     return sample;
 }
 
-static inline SolidSample breccia_at(Field field, global const Breccia* breccia,
-                                     SolidPoint point) {
+static inline SolidSample breccia_at(Field field, global const Breccia* breccia, SolidPoint point) {
     MEAN_OF_PARTS(breccia_part, field, breccia, point)
 }

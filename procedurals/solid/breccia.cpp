@@ -50,6 +50,11 @@ float measured_share(const solid::CellVeins& veins) {
     return float(inside) / points;
 }
 
+SCREE_FOR_PROCESSORS solid::SolidSample breccia_sample(solid::Field field, const Breccia* breccia,
+                                                       const solid::SolidPoint& point) {
+    return solid::breccia_at(field, breccia, point);
+}
+
 std::shared_ptr<const Procedural> make_breccia(const Params& params) {
     const BrecciaPreset& preset = preset_named(breccia_presets(), params);
     const double scale = preset_scale(params);
@@ -86,7 +91,7 @@ std::shared_ptr<const Procedural> make_breccia(const Params& params) {
     breccia.cement_roughness = as_float(std::min(1.0, 1.3 * stones.roughness));
     breccia.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = cells_program({grains_source, breccia_source});
-    return std::make_shared<SolidProcedural<Breccia, solid::breccia_at>>(
+    return std::make_shared<SolidProcedural<Breccia, breccia_sample>>(
         lattice, breccia, SolidKernel{text.c_str(), "Breccia", "breccia_at"});
 }
 

@@ -21,33 +21,34 @@ BrecciaPreset breccia(const char* name, unsigned cement, std::vector<Mineral> st
         preset.stones.outlines.push_back({gap});
     preset.stones.clusters = 0.3;
     preset.stones.whole = false;
+    preset.stones.gap_by_field = 0.55;
     preset.stones.roughness = 0.1;
     return preset;
 }
 
 BrecciaPreset oniciata() { // onyx in bands about the fragments
-    BrecciaPreset preset = breccia("breccia_oniciata", 0xb07a58,
-                                   {fragment(0xe6d6c2, 0.42, 42), fragment(0xd8b49c, 0.22, 42),
-                                    fragment(0xc79a80, 0.10, 42), fragment(0xe9dccb, 0.3, 13),
-                                    fragment(0xd2a88c, 0.2, 13), fragment(0xe2cdb6, 0.3, 5)},
-                                   {0.10, 0.10, 0.08});
-    preset.band = shown(0xf0dfc9);
-    preset.bands = 0.9;
-    preset.band_width = 2.6e-3;
+    BrecciaPreset preset = breccia("breccia_oniciata", 0x9a5c3c,
+                                   {fragment(0xe2c9ae, 0.40, 40), fragment(0xcf9f80, 0.22, 40),
+                                    fragment(0xb98263, 0.12, 40), fragment(0xe6d2ba, 0.26, 13),
+                                    fragment(0xc48f70, 0.18, 13), fragment(0xdfc0a2, 0.25, 5)},
+                                   {0.11, 0.10, 0.08});
+    preset.band = shown(0xecd3b6);
+    preset.bands = 0.85;
+    preset.band_width = 3.4e-3;
     preset.veins = {{shown(0xf4ebde), 60e-3, 0.7e-3, 0.7}};
-    preset.turbulence = 4;
+    preset.turbulence = 3.5;
     return preset;
 }
 
 BrecciaPreset grand_antique() {
     BrecciaPreset preset =
         breccia("grand_antique", 0xf1eee7,
-                {fragment(0x141416, 0.62, 38, 0.3), fragment(0x232326, 0.18, 38, 0.3),
-                 fragment(0x17171a, 0.55, 12, 0.3), fragment(0x2c2c30, 0.2, 12),
-                 fragment(0x1b1b1e, 0.55, 4, 0.3)},
-                {0.03, 0.05, 0.07});
-    preset.veins = {{shown(0xe9e5dc), 45e-3, 0.9e-3, 0.9}, {shown(0xd8d4cc), 14e-3, 0.25e-3, 0.6}};
-    preset.turbulence = 2;
+                {fragment(0x141416, 0.56, 36, 0.3), fragment(0x232326, 0.16, 36, 0.3),
+                 fragment(0x17171a, 0.34, 13, 0.3), fragment(0x2c2c30, 0.10, 13),
+                 fragment(0x1b1b1e, 0.25, 5, 0.3)},
+                {0.045, 0.07, 0.10});
+    preset.veins = {{shown(0xe9e5dc), 45e-3, 0.8e-3, 0.9}, {shown(0xd8d4cc), 15e-3, 0.2e-3, 0.5}};
+    preset.turbulence = 1.2;
     return preset;
 }
 

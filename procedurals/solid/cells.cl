@@ -4,8 +4,8 @@
 // lies in each cube of a grid; lengths are counted in such cubes. Needs solid.cl.
 
 #define CELLS_MOST 40
-// Seeds are looked for within; the nearest is never farther than a cube's diagonal. Five cubes along
-// each axis hold all of them: 22 on the average, and never more than 40.
+// Seeds are looked for within; the nearest is never farther than a cube's diagonal. Five cubes
+// along each axis hold all of them: 22 on the average, and never more than 40.
 #define CELLS_REACH 1.75f
 
 // Three fields, far apart in one lattice, move the place along x, y and z.
@@ -19,10 +19,10 @@ typedef struct {
     Triple gradient[3]; // of its x, y and z by the object's place
     Triple across;      // the filter there [m]
     Triple along;
-    float variance; // of the place within it, beside its sides [m^2]
-    float field;    // the first D, which also drives shades of colour
+    float variance;     // of the place within it, beside its sides [m^2]
+    float field;        // the first D, which also drives shades of colour
     Triple field_slope; // [1/m]
-    uint instance;  // key
+    uint instance;      // key
 } Pushed;
 
 // place = rows * position + offset.
@@ -53,7 +53,7 @@ typedef struct {
 // list for all that a texture looks up, since devices have little memory of a point's own.
 typedef struct {
     int count;
-    Seed seed[CELLS_MOST];
+    Seed seed[CELLS_MOST + 1];
     float share[CELLS_MOST];
 } Seeds;
 
@@ -102,8 +102,8 @@ static inline CellView cell_view(global const Cells* cells, Pushed at) {
     const float most = 1e9f; // what integers can count
     const Triple p = plus(turned(rows, at.position), cells->offset);
     CellView view;
-    view.place = triple(limited(p.x, -most, most), limited(p.y, -most, most),
-                        limited(p.z, -most, most));
+    view.place =
+        triple(limited(p.x, -most, most), limited(p.y, -most, most), limited(p.z, -most, most));
     view.across = turned(rows, at.across);
     view.along = turned(rows, at.along);
     const Triple s = cells->squares;
@@ -121,7 +121,9 @@ static inline Triple gradient_of_cells(global const Cells* cells, Triple gradien
 }
 
 // Another random number of a seed.
-static inline uint seed_bits(Seed seed, uint use) { return scramble(seed.bits + use * 0x9e3779b9U); }
+static inline uint seed_bits(Seed seed, uint use) {
+    return scramble(seed.bits + use * 0x9e3779b9U);
+}
 static inline float seed_unit(Seed seed, uint use) { return unit_of(seed_bits(seed, use)); }
 
 // The five cubes along an axis from near to far, and the squares of how far they are.
@@ -167,13 +169,14 @@ static inline void gather_seeds(CellView view, float jitter, float reach, float 
             const uint row = scramble(view.key + (uint)((int)cube.y + y_step[j]) * 0x9e3779b9U +
                                       (uint)((int)cube.z + z_step[k]) * 0x85ebca6bU);
             const uint other = row * 0x2c1b3c6dU;
-            for (int i = 0; i < 5 && z_far[k] + y_far[j] + x_far[i] < limit; ++i) {
+            for (int i = 0; i < 5 && z_far[k] + y_far[j] + x_far[i] < limit && count < CELLS_MOST;
+                 ++i) {
                 Seed seed = seed_in(x_step[i], y_step[j], z_step[k],
                                     node_bits(row, other, (uint)((int)cube.x + x_step[i])), jitter);
                 seed.away = minus(seed.away, in);
                 const float far = far_square(seed);
-                if (far >= limit || count == CELLS_MOST)
-                    continue;
+                const int counts = far < limit ? 1 : 0;
+                // Written first and counted then: no processor foresees which seeds count.
                 seeds->seed[count] = seed;
                 if (far < nearest) {
                     nearest = far;
@@ -181,14 +184,16 @@ static inline void gather_seeds(CellView view, float jitter, float reach, float 
                     seeds->seed[count] = seeds->seed[0];
                     seeds->seed[0] = seed;
                 }
-                ++count;
+                count += counts;
             }
         }
     // The limit was wider before the nearest was found.
     seeds->count = count > 0 ? 1 : 0;
-    for (int i = 1; i < count; ++i)
-        if (far_square(seeds->seed[i]) < limit)
-            seeds->seed[seeds->count++] = seeds->seed[i];
+    for (int i = 1; i < count; ++i) {
+        const Seed seed = seeds->seed[i];
+        seeds->seed[seeds->count] = seed;
+        seeds->count += far_square(seed) < limit ? 1 : 0;
+    }
 }
 
 // Deviation of the filter along a vector, times the vector's length.
@@ -198,36 +203,68 @@ static inline float deviation_along(CellView view, Triple v) {
                 v.z * v.z * view.variance.z);
 }
 
-// Beyond this many deviations a border is not seen.
-#define CELLS_DEVIATIONS 2.5f
+// A filter is a box, which sees no border beyond so many deviations; nor are seeds looked for that
+// are farther than the nearest by two of the largest margin.
+#define CELLS_DEVIATIONS 1.9f
+#define CELLS_MARGIN 0.45f
 
 static inline float border_margin(CellView view) {
-    return CELLS_DEVIATIONS * 0.28867513f * view.width;
+    return fmin(CELLS_DEVIATIONS * 0.28867513f * view.width, CELLS_MARGIN);
 }
 
 // Beyond some cells' width a filter sees nothing but means: 0 to 1.
-static inline float cells_blur(float width) { return smooth(1.5f, 3.0f, width); }
+static inline float cells_blur(float width) { return smooth(1.2f, 2.4f, width); }
 
-// How much of the filter each cell has. Against the nearest seed alone, the share of another would
-// be the normal distribution's beyond the plane between them; the odds of all are put together. (The
-// normal distribution as a logistic function with a cubic term: Page 1977.)
+// How much larger the second cell's part of the filter is than the first's, from the plane between
+// them; for one whose seed is farther away. The odds that z deviations of a box leave lie between
+// those of one that is parallel to the plane and those of one that stands on a corner, and end at 0
+// where those end.
+static inline float cell_odds(CellView view, Seed first, Seed second) {
+    const float z = 0.5f * (far_square(second) - far_square(first)) /
+                    (deviation_along(view, minus(second.away, first.away)) + 1e-12f);
+    return z < CELLS_DEVIATIONS ? fmax(exp(-z * (1.25f + 0.1f * z * z)) - 0.0469f, 0.0f) * 1.0492f
+                                : 0.0f;
+}
+
+// How much of the filter each cell has: the odds of all against the nearest, put together. Where
+// the second is almost as near, those against it count as much, so that nothing jumps as the two
+// change places.
 static inline void cell_shares(CellView view, Seeds* seeds) {
     const Seed first = seeds->seed[0];
+    const float away = sqrt(far_square(first));
     float sum = 1.0f;
     seeds->share[0] = 1.0f;
+    int kept = 1, second = 0;
     for (int i = 1; i < seeds->count; ++i) {
-        const float far = far_square(seeds->seed[i]);
-        const Triple between = minus(seeds->seed[i].away, first.away);
-        const float z =
-            0.5f * (far - far_square(first)) / (deviation_along(view, between) + 1e-12f);
-        float share = 0.0f;
-        if (z < CELLS_DEVIATIONS) // where it is 0.0061, which is taken off so that it ends at 0
-            share = fmax(exp(-z * (1.5976f + 0.07056f * z * z)) - 0.0061f, 0.0f) * 1.0061f *
-                    smooth(square(CELLS_REACH), 1.7f, far); // and so where the search ends
-        seeds->share[i] = share;
+        const Seed seed = seeds->seed[i];
+        // Where the search ends a share does too.
+        const float share =
+            cell_odds(view, first, seed) *
+            smooth(2.0f * CELLS_MARGIN, 1.2f * CELLS_MARGIN, sqrt(far_square(seed)) - away);
+        if (!(share > 0.0f))
+            continue;
+        if (second == 0 || far_square(seed) < far_square(seeds->seed[second]))
+            second = kept;
+        seeds->seed[kept] = seed;
+        seeds->share[kept++] = share;
         sum += share;
     }
-    for (int i = 0; i < seeds->count; ++i)
+    seeds->count = kept;
+    const float tied = kept > 2 ? 0.5f * smooth(0.6f, 1.0f, seeds->share[second]) : 0.0f;
+    if (tied > 0.0f) {
+        const Seed rival = seeds->seed[second];
+        float rival_sum = 1.0f + 1.0f / seeds->share[second];
+        for (int i = 1; i < kept; ++i)
+            rival_sum += i == second ? 0.0f : cell_odds(view, rival, seeds->seed[i]);
+        for (int i = 0; i < kept; ++i) {
+            const float odds = i == 0        ? 1.0f / seeds->share[second]
+                               : i == second ? 1.0f
+                                             : cell_odds(view, rival, seeds->seed[i]);
+            seeds->share[i] = mixed(seeds->share[i] / sum, odds / rival_sum, tied);
+        }
+        return;
+    }
+    for (int i = 0; i < kept; ++i)
         seeds->share[i] /= sum;
 }
 

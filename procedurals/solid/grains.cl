@@ -18,17 +18,18 @@ typedef struct {
 typedef struct {
     Cells cells;
     Triple cluster_offset;
-    float clusters;      // correlation of a grain's normal number with D where its seed lies
-    float cluster_scale; // the lattice's cubes in a cell's length
-    float cluster_deviation; // of D, through a filter as wide as a cell
-    float gap;    // what is so near a border is left out, in cells; below 0: nothing is
-    float radius; // and what is so far from the seed
-    float rim;    // thickness of the grain's outer part, likewise
-    float rim_share; // of the rim's colour
+    float clusters;          // correlation of a grain's normal number with D where its seed lies
+    float cluster_scale;     // the lattice's cubes in a cell's length
+    float cluster_deviation; // of D's levels that count
+    float gap;               // what is so near a border is left out, in cells; below 0: nothing is
+    float gap_by_field;      // change of the gap's factor per unit of D
+    float radius;            // and what is so far from the seed
+    float rim;               // thickness of the grain's outer part, likewise
+    float rim_share;         // of the rim's colour
     Triple rim_color;
-    float whole;  // measured: share of space that grains would fill if no cell were left out
-    float core;   // and of the grains without their rims
-    int first;    // of its kinds
+    float whole; // measured: share of space that grains would fill if no cell were left out
+    float core;  // and of the grains without their rims
+    int first;   // of its kinds
     int end;
 } GrainLayer;
 
@@ -44,7 +45,7 @@ typedef struct {
     float value;
     float roughness;
     float share;
-    float border; // distance to the nearest, in cells, where it was asked for
+    float border;   // distance to the nearest, in cells, where it was asked for
     Triple inwards; // in cells
 } GrainShare;
 
@@ -56,6 +57,19 @@ static inline void add_grain(GrainShare* sum, global const GrainKind* kind, floa
     sum->share += share;
 }
 
+// D's first levels alone, at one look-up.
+#define GRAINS_CLUSTER_LEVEL 3
+
+static inline float coarse_field(Field field, Triple place) {
+    global const Lattice* lattice = field.lattice;
+    const Triple p = within_reach(lattice, place);
+    if (is_stored(lattice, p) && lattice->levels >= GRAINS_CLUSTER_LEVEL)
+        return stored_field(lattice, field.nodes16, field.nodes32, GRAINS_CLUSTER_LEVEL, p).value;
+    return fluctuation(lattice, field.nodes16, field.nodes32, place,
+                       1.41422f / (float)(1 << GRAINS_CLUSTER_LEVEL))
+        .value;
+}
+
 // Normal number of a grain: by itself, and by D where its seed lies, so that minerals crowd.
 static inline float grain_number(Field field, global const GrainLayer* layer, CellView view,
                                  Seed seed) {
@@ -63,12 +77,9 @@ static inline float grain_number(Field field, global const GrainLayer* layer, Ce
     const float r = layer->clusters;
     if (r == 0.0f)
         return own;
-    const Triple place = plus(scaled(plus(view.place, seed.away), layer->cluster_scale),
-                              layer->cluster_offset);
-    const float d = fluctuation(field.lattice, field.nodes16, field.nodes32, place,
-                                fmax(layer->cluster_scale, 1.41422f / (float)(1 << field.lattice->levels)))
-                        .value;
-    return r * d / layer->cluster_deviation + sqrt(1.0f - r * r) * own;
+    const Triple place =
+        plus(scaled(plus(view.place, seed.away), layer->cluster_scale), layer->cluster_offset);
+    return r * coarse_field(field, place) / layer->cluster_deviation + sqrt(1.0f - r * r) * own;
 }
 
 // The kind of a cell's grain, or -1.
@@ -111,19 +122,24 @@ static inline float grain_inside(CellView view, const Seeds* seeds, int i, float
     const float z = (radius - away) / (deviation_along(view, to_seed) / away + 1e-9f);
     float inside = z > 4.0f ? 1.0f : z < -4.0f ? 0.0f : normal_share(z);
     if (border < gap + 4.0f * sigma)
-        inside *= fmin(normal_share((border - gap) / sigma) / (normal_share(border / sigma) + 1e-9f),
-                       1.0f);
+        inside *= fmin(
+            normal_share((border - gap) / sigma) / (normal_share(border / sigma) + 1e-9f), 1.0f);
     return mixed(inside, whole, wide);
 }
 
 static inline float grain_brightness(global const GrainKind* kind, Seed seed, float d) {
     const uint bits = seed_bits(seed, 2U);
-    const Triple way = triple((float)(bits & 1023U) - 512.0f, (float)((bits >> 10) & 1023U) - 512.0f,
-                              (float)(bits >> 22) - 512.0f);
+    const Triple way = triple((float)(bits & 1023U) - 512.0f,
+                              (float)((bits >> 10) & 1023U) - 512.0f, (float)(bits >> 22) - 512.0f);
     const float slant = limited(inner(way, seed.away) * (1.0f / 512.0f), -1.0f, 1.0f);
-    return fmax(1.0f + kind->variation * (2.0f * seed_unit(seed, 3U) - 1.0f) +
-                    kind->facet * slant + kind->mottle * d,
+    return fmax(1.0f + kind->variation * (2.0f * seed_unit(seed, 3U) - 1.0f) + kind->facet * slant +
+                    kind->mottle * d,
                 0.0f);
+}
+
+// The gap where it is broad or narrow by D.
+static inline float grain_gap(global const GrainLayer* layer, Pushed at) {
+    return layer->gap * (1.0f + layer->gap_by_field * at.field);
 }
 
 // The layer through the filter. `asked` is how far from borders the caller looks, in cells.
@@ -141,16 +157,15 @@ static inline GrainShare grain_layer(Field field, global const Grains* grains,
     if (blur >= 1.0f)
         return sum;
     const bool outlined = layer->gap >= 0.0f;
-    const float depth = outlined ? layer->gap + layer->rim : 0.0f;
+    const float gap = grain_gap(layer, at);
+    const float depth = outlined ? fmax(gap + layer->rim, 0.0f) : 0.0f;
     const float margin = fmax(depth + border_margin(view), asked);
     gather_seeds(view, layer->cells.jitter, CELLS_REACH, margin, 0.0f, seeds);
-    cell_shares(view, seeds);
     if (outlined || asked > 0.0f)
         sum.border = border_distance(seeds, margin, &sum.inwards);
+    cell_shares(view, seeds);
     for (int i = 0; i < seeds->count; ++i) {
-        float share = seeds->share[i] * (1.0f - blur);
-        if (share < 1e-3f)
-            continue;
+        const float share = seeds->share[i] * (1.0f - blur);
         const Seed seed = seeds->seed[i];
         const int k = grain_kind(grains, layer, grain_number(field, layer, view, seed));
         if (k < 0)
@@ -161,15 +176,16 @@ static inline GrainShare grain_layer(Field field, global const Grains* grains,
             add_grain(&sum, kind, brightness, share);
             continue;
         }
-        const float inside = grain_inside(view, seeds, i, sum.border, sum.inwards, layer->gap,
-                                          layer->radius, layer->whole);
+        const float inside =
+            grain_inside(view, seeds, i, sum.border, sum.inwards, gap, layer->radius, layer->whole);
         add_grain(&sum, kind, brightness, share * inside);
         if (layer->rim_share > 0.0f) {
             const float core =
-                grain_inside(view, seeds, i, sum.border, sum.inwards, layer->gap + layer->rim,
+                grain_inside(view, seeds, i, sum.border, sum.inwards, gap + layer->rim,
                              layer->radius - layer->rim, layer->core);
-            sum.color = plus(sum.color, scaled(minus(layer->rim_color, scaled(kind->color, brightness)),
-                                               layer->rim_share * share * fmax(inside - core, 0.0f)));
+            sum.color =
+                plus(sum.color, scaled(minus(layer->rim_color, scaled(kind->color, brightness)),
+                                       layer->rim_share * share * fmax(inside - core, 0.0f)));
         }
     }
     return sum;

@@ -68,11 +68,13 @@ solid::GrainLayer make_layer(const Params& params, const GrainRecipe& recipe, un
     // Crowds some grains across; the lattice's cube holds nine.
     layer.clusters = as_float(recipe.clusters);
     layer.cluster_scale = 1.0F / 9;
-    layer.cluster_deviation = std::sqrt(std::max(1e-6F, lattice.left_out[0] - lattice.left_out[3]));
+    layer.cluster_deviation =
+        std::sqrt(std::max(1e-6F, lattice.left_out[0] - lattice.left_out[GRAINS_CLUSTER_LEVEL]));
     GrainOutline outline;
     if (index < recipe.outlines.size())
         outline = recipe.outlines[index];
     layer.gap = as_float(outline.gap);
+    layer.gap_by_field = as_float(recipe.gap_by_field);
     layer.radius = as_float(outline.radius);
     layer.rim = as_float(outline.rim);
     layer.rim_share = as_float(outline.rim_share);

@@ -31,6 +31,7 @@ struct GrainRecipe {
     std::vector<Mineral> minerals;
     std::vector<GrainOutline> outlines; // of the sizes, largest first; the others fill their cells
     double clusters = 0.2;              // correlation of neighbours by the field
+    double gap_by_field = 0;            // gaps' change per unit of the field, of themselves
     double jitter = 1;                  // 0: grains on a grid, 1: anywhere
     double roughness = 0.12;
     bool whole = true; // the smallest grains fill what is left; otherwise something else does

@@ -22,9 +22,8 @@ typedef struct {
     int filtered;
 } Leather;
 
-static inline SolidSample leather_part(Field field, global const Leather* leather,
-                                       Triple position, Triple across, Triple along,
-                                       float random) {
+static inline SolidSample leather_part(Field field, global const Leather* leather, Triple position,
+                                       Triple across, Triple along, float random) {
     const Pushed at = pushed(field, &leather->push, position, across, along, random);
     Seeds seeds;
     SolidSample sample = no_sample();
@@ -33,14 +32,14 @@ static inline SolidSample leather_part(Field field, global const Leather* leathe
         if (leather->depth[i] == 0.0f)
             continue;
         global const Cells* cells = &leather->creases[i].cells;
-        const Crease crease = crease_at(cell_view(cells, at), cells->jitter,
-                                        leather->creases[i].softness, &seeds);
+        const Crease crease =
+            crease_at(cell_view(cells, at), cells->jitter, leather->creases[i].softness, &seeds);
         sample.height -= leather->depth[i] * crease.value;
-        sample.slope = minus(sample.slope,
-                             scaled(gradient_before(at, gradient_of_cells(cells, crease.slope)),
-                                    leather->depth[i]));
+        sample.slope =
+            minus(sample.slope, scaled(gradient_before(at, gradient_of_cells(cells, crease.slope)),
+                                       leather->depth[i]));
         lost += square(leather->depth[i]) * crease.lost * cells->squares.x;
-        clear *= 1.0f - leather->dye[i] * fmin(crease.value * (1.0f / 1.5f), 1.0f);
+        clear *= fmax(1.0f - leather->dye[i] * fmax(crease.value * (1.0f / 1.5f), 0.0f), 0.0f);
     }
     const Spotted pore = spots_at(&leather->pores, at, &seeds);
     sample.height -= leather->pore_depth * pore.share;
@@ -49,13 +48,11 @@ static inline SolidSample leather_part(Field field, global const Leather* leathe
     sample.color = scaled(mixed3(mixed3(leather->crease, leather->color, clear), leather->pore,
                                  leather->pore_dye * pore.share),
                           fmax(1.0f + leather->stain * at.field, 0.0f));
-    sample.roughness =
-        roughened(mixed(leather->crease_roughness, leather->roughness, clear), lost);
+    sample.roughness = roughened(mixed(leather->crease_roughness, leather->roughness, clear), lost);
     hew(field, &leather->hewn, position, across, along, random, &sample);
     return sample;
 }
 
-static inline SolidSample leather_at(Field field, global const Leather* leather,
-                                     SolidPoint point) {
+static inline SolidSample leather_at(Field field, global const Leather* leather, SolidPoint point) {
     MEAN_OF_PARTS(leather_part, field, leather, point)
 }

@@ -17,15 +17,12 @@ LeatherPreset leather(const char* name, unsigned color, unsigned crease,
     return preset;
 }
 
-LeatherPreset shagreen() { // of ray: pearls side by side, polished down and white on top
+LeatherPreset shagreen() { // of ray: pearls side by side, ground down and dyed between
     LeatherPreset preset =
-        leather("shagreen", 0x54776c, 0x1d3530, {{2.6e-3, 0.1e-3, 0.05, 0.8, 1, 0.55}});
-    preset.pores = {2.6e-3, 1, 0.26, 0.38, 1, 0.05, 0.55};
-    preset.pore_depth = -0.25e-3;
-    preset.pore = shown(0xdfe3d3);
-    preset.pore_dye = 0.85;
-    preset.roughness = 0.25;
-    preset.turbulence = 0.4;
+        leather("shagreen", 0xc3cdb9, 0x1f4a40, {{2.3e-3, 0.16e-3, 0.06, 1.2, 1, 0.6}});
+    preset.stain = 0.04;
+    preset.roughness = 0.22;
+    preset.turbulence = 0.5;
     return preset;
 }
 

@@ -17,8 +17,9 @@ typedef struct {
 } Spotted;
 
 // Part of one ball: the normal distribution's beyond its edge, and for a filter as wide as the ball
-// the part of a disk within a two-dimensional one.
-static inline Spotted ball_part(CellView view, Seed seed, float radius, float edge, Triple normal) {
+// the part of a disk within a two-dimensional one. It fades out where the search ends.
+static inline Spotted ball_part(CellView view, Seed seed, float radius, float edge, float reach,
+                                Triple normal) {
     Spotted part;
     const float away = length_of(seed.away) + 1e-9f;
     const float blur = deviation_along(view, seed.away) / away;
@@ -35,14 +36,18 @@ static inline Spotted ball_part(CellView view, Seed seed, float radius, float ed
         const float uu = inner(view.across, view.across) + 1e-12f;
         const float vv = inner(view.along, view.along) + 1e-12f;
         const float spread_u = disk + uu * (1.0f / 6.0f), spread_v = disk + vv * (1.0f / 6.0f);
-        const float soft = disk / sqrt(spread_u * spread_v + 1e-20f) *
-                           exp(-u * u / (uu * spread_u + 1e-20f) - v * v / (vv * spread_v + 1e-20f));
+        const float soft =
+            disk / sqrt(spread_u * spread_v + 1e-20f) *
+            exp(-u * u / (uu * spread_u + 1e-20f) - v * v / (vv * spread_v + 1e-20f));
         part.share = mixed(part.share, soft, wide);
         part.slope = plus(scaled(part.slope, 1.0f - wide),
                           scaled(plus(scaled(view.across, u / (uu * spread_u + 1e-20f)),
                                       scaled(view.along, v / (vv * spread_v + 1e-20f))),
                                  2.0f * soft * wide));
     }
+    const float kept = smooth(reach, 0.85f * reach, away);
+    part.share *= kept;
+    part.slope = scaled(part.slope, kept);
     return part;
 }
 
@@ -65,7 +70,8 @@ static inline void add_spot(Spotted* sum, Spotted part) {
 
 // How far seeds are looked for.
 static inline float spots_reach(global const Spots* spots, CellView view) {
-    return fmin(spots->largest + 3.0f * spots->edge + border_margin(view), CELLS_REACH);
+    return fmin(1.2f * (spots->largest + 3.0f * spots->edge) + 2.5f * 0.28867513f * view.width,
+                CELLS_REACH);
 }
 
 static inline Triple filter_normal(CellView view) {
@@ -82,14 +88,17 @@ static inline Spotted spots_at(global const Spots* spots, Pushed at, Seeds* seed
     const float blur = cells_blur(view.width);
     if (blur < 1.0f) {
         const Triple normal = filter_normal(view);
-        gather_seeds(view, spots->cells.jitter, spots_reach(spots, view), CELLS_REACH, 0.0f, seeds);
+        const float reach = spots_reach(spots, view);
+        gather_seeds(view, spots->cells.jitter, reach, CELLS_REACH, 0.0f, seeds);
         for (int i = 0; i < seeds->count; ++i) {
             const Seed seed = seeds->seed[i];
             if (seed_unit(seed, 4U) < spots->share)
-                add_spot(&sum, ball_part(view, seed, spot_radius(spots, seed), spots->edge, normal));
+                add_spot(&sum, ball_part(view, seed, spot_radius(spots, seed), spots->edge, reach,
+                                         normal));
         }
     }
     sum.share = mixed(sum.share, spots->mean, blur);
-    sum.slope = gradient_before(at, gradient_of_cells(&spots->cells, scaled(sum.slope, 1.0f - blur)));
+    sum.slope =
+        gradient_before(at, gradient_of_cells(&spots->cells, scaled(sum.slope, 1.0f - blur)));
     return sum;
 }

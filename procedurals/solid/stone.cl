@@ -21,7 +21,7 @@ typedef struct {
     float cloudy;   // of brightness by D
     Grains grains;  // shells and pebbles
     Spots holes[STONE_MOST_HOLES];
-    float hole_beds; // 1: holes are only in full beds of the first kind
+    float hole_beds;  // 1: holes are only in full beds of the first kind
     float hole_depth; // [m]
     float hole_share; // of the colour in a hole
     Triple hole;
@@ -65,8 +65,8 @@ static inline void add_beds(global const Stone* stone, Pushed at, SolidSample* s
             slope = scaled(stone->axis, found.slope);
         } else {
             Triple direction;
-            found = set_beds(stone, i, set, at.position, at.across, at.along, at.variance,
-                             &direction);
+            found =
+                set_beds(stone, i, set, at.position, at.across, at.along, at.variance, &direction);
             slope = scaled(direction, found.slope);
             if (other_share > 0.01f) {
                 const Bedded beyond = set_beds(stone, i, other, at.position, at.across, at.along,
@@ -80,8 +80,8 @@ static inline void add_beds(global const Stone* stone, Pushed at, SolidSample* s
             mixed3(sample->color, stone->bed_color[i], found.value * stone->bed_share[i]);
         sample->value = 1.0f - (1.0f - sample->value) * (1.0f - found.value * stone->bed_share[i]);
         sample->height += stone->bed_height[i] * found.value;
-        sample->slope = plus(sample->slope,
-                             scaled(gradient_before(at, slope), stone->bed_height[i]));
+        sample->slope =
+            plus(sample->slope, scaled(gradient_before(at, slope), stone->bed_height[i]));
     }
 }
 
@@ -110,7 +110,8 @@ static inline Spotted holes_at(global const Stone* stone, global const Spots* ho
     const float blur = cells_blur(view.width);
     if (blur < 1.0f) {
         const Triple normal = filter_normal(view);
-        gather_seeds(view, cells->jitter, spots_reach(holes, view), CELLS_REACH, 0.0f, seeds);
+        const float reach = spots_reach(holes, view);
+        gather_seeds(view, cells->jitter, reach, CELLS_REACH, 0.0f, seeds);
         const float z = inner(stone->axis, at.position) - stone->start;
         const Triple climb = triple(inner(stone->axis, cells->rows[0]) / cells->squares.x,
                                     inner(stone->axis, cells->rows[1]) / cells->squares.y,
@@ -120,7 +121,8 @@ static inline Spotted holes_at(global const Stone* stone, global const Spots* ho
             const int bed = bed_of(beds->key, beds_place(beds, z + inner(climb, seed.away)));
             const float full = bed_amount(beds->share, bed_bits(beds->key, bed)) > 0.0f;
             if (seed_unit(seed, 4U) < holes->share * mixed(1.0f, full, stone->hole_beds))
-                add_spot(&sum, ball_part(view, seed, spot_radius(holes, seed), holes->edge, normal));
+                add_spot(&sum, ball_part(view, seed, spot_radius(holes, seed), holes->edge, reach,
+                                         normal));
         }
     }
     sum.share = mixed(sum.share, holes->mean * mixed(1.0f, beds->share, stone->hole_beds), blur);
