@@ -12,6 +12,10 @@ namespace {
 constexpr double contact = 0.004;
 constexpr double least_step = 0.02;
 
+double allowed_depth(const PileComponent& a, const PileComponent& b, double overlap) {
+    return (overlap + contact) * std::min(a.radius, b.radius);
+}
+
 struct Neighbour {
     const Placed* placed;
     double free_until; // the height to which it has been shown to be free of it
@@ -33,6 +37,13 @@ float depth_between(const PileComponent& a, const Pose& pose_a, const PileCompon
     return coarse.probe.depth_in(fine.distance, relative(coarse_pose, fine_pose), depth);
 }
 
+bool is_free(const Pile& pile, const Placed& a, const Placed& b, double overlap) {
+    const PileComponent& ca = pile.component(a);
+    const PileComponent& cb = pile.component(b);
+    const auto floor = static_cast<float>(allowed_depth(ca, cb, overlap));
+    return double(depth_between(ca, a.pose, cb, b.pose, floor)) <= double(floor);
+}
+
 Advance advance(const Pile& pile, const PileSite& site, double from, double limit, double overlap) {
     const PileComponent& component = pile.kinds[site.kind].component;
     std::vector<Neighbour> neighbours;
@@ -47,7 +58,7 @@ Advance advance(const Pile& pile, const PileSite& site, double from, double limi
         Neighbour& neighbour = neighbours[k];
         ++unchanged;
         const PileComponent& other = pile.component(*neighbour.placed);
-        const double allowed = (overlap + contact) * std::min(component.radius, other.radius);
+        const double allowed = allowed_depth(component, other, overlap);
         while (neighbour.free_until <= height) {
             const auto floor = static_cast<float>(height - limit + allowed);
             const auto depth = double(depth_between(component, site.at(height).pose, other,

@@ -30,6 +30,10 @@ struct Pile {
 float depth_between(const PileComponent& a, const Pose& pose_a, const PileComponent& b,
                     const Pose& pose_b, float floor);
 
+/// Whether two components reach no deeper than `overlap` (in radii of the smaller's largest inner
+/// ball) into each other.
+bool is_free(const Pile& pile, const Placed& a, const Placed& b, double overlap);
+
 /// Where a component comes free.
 struct Advance {
     double height = 0; // [m] outwards; beyond the limit where it is not free

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/pile/ball_tree.h"
 
-#include <algorithm>
-
 namespace scree {
 
 namespace {
@@ -57,38 +55,7 @@ void BallTree::split(std::uint32_t node, std::uint32_t first, std::uint32_t end)
 
 float BallTree::depth_in(const SignedDistanceGrid& neighbour, const RelativePose& there,
                          float floor) const {
-    const auto depth = [&](const Ball& ball) {
-        return ball.radius - neighbour.at(there(ball.centre));
-    };
-    struct Open {
-        std::uint32_t node;
-        float bound;
-    };
-    std::array<Open, 64> open; // two a level, and the tree is balanced
-    std::size_t count = 0;
-    float deepest = floor;
-    if (!nodes_.empty())
-        open[count++] = {0, depth(nodes_[0].hull)};
-    while (count > 0) {
-        const Open next = open[--count];
-        if (next.bound <= deepest)
-            continue;
-        const Node& node = nodes_[next.node];
-        if (node.count > 0) {
-            for (std::uint32_t b = node.first; b < node.first + node.count; ++b)
-                deepest = std::max(deepest, depth(balls_[b]));
-            continue;
-        }
-        Open near{node.first, depth(nodes_[node.first].hull)};
-        Open far{node.first + 1, depth(nodes_[node.first + 1].hull)};
-        if (near.bound < far.bound)
-            std::swap(near, far);
-        if (far.bound > deepest)
-            open[count++] = far;
-        if (near.bound > deepest)
-            open[count++] = near;
-    }
-    return deepest;
+    return depth_where([&](const Vec3& p) { return neighbour.at(there(p)); }, floor);
 }
 
 } // namespace scree

@@ -5,6 +5,8 @@
 #include "generators/pile/pose.h"
 #include "generators/pile/signed_distance_grid.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace scree {
@@ -21,6 +23,11 @@ class BallTree {
     float depth_in(const SignedDistanceGrid& neighbour, const RelativePose& there,
                    float floor) const;
 
+    /// The same for what is at `distance(p)` from a point p of the balls' frame: a function that
+    /// grows no faster than p moves.
+    template <class Distance>
+    float depth_where(const Distance& distance, float floor) const;
+
     /// All balls, in the tree's order.
     const std::vector<Ball>& balls() const { return balls_; }
 
@@ -36,5 +43,39 @@ class BallTree {
     std::vector<Ball> balls_;
     std::vector<Node> nodes_;
 };
+
+template <class Distance>
+float BallTree::depth_where(const Distance& distance, float floor) const {
+    const auto depth = [&](const Ball& ball) { return ball.radius - distance(ball.centre); };
+    struct Open {
+        std::uint32_t node;
+        float bound;
+    };
+    std::array<Open, 64> open; // one a level, and the tree is balanced
+    std::size_t count = 0;
+    float deepest = floor;
+    if (!nodes_.empty())
+        open[count++] = {0, depth(nodes_[0].hull)};
+    while (count > 0) {
+        const Open next = open[--count];
+        if (next.bound <= deepest)
+            continue;
+        const Node& node = nodes_[next.node];
+        if (node.count > 0) {
+            for (std::uint32_t b = node.first; b < node.first + node.count; ++b)
+                deepest = std::max(deepest, depth(balls_[b]));
+            continue;
+        }
+        Open near{node.first, depth(nodes_[node.first].hull)};
+        Open far{node.first + 1, depth(nodes_[node.first + 1].hull)};
+        if (near.bound < far.bound)
+            std::swap(near, far);
+        if (far.bound > deepest)
+            open[count++] = far;
+        if (near.bound > deepest)
+            open[count++] = near;
+    }
+    return deepest;
+}
 
 } // namespace scree

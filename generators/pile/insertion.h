@@ -12,11 +12,23 @@ struct InsertionSettings {
     double sink = 0;    // how deep below the surface they begin, in such radii
 };
 
-/// Inserts components at their sites, in layers from the surface outwards and in the sites' order
-/// within each: each goes to the lowest height, from `sink` below the surface to its kind's range
-/// above it, at which it is free of those before it. What finds no room there is left out. The
-/// outcome does not depend on the number of threads.
-void insert_components(Pile& pile, std::span<const PileSite> sites,
-                       const InsertionSettings& settings, const Context& context);
+/// A site whose component is blocked below `height` [m].
+struct InsertionCandidate {
+    PileSite site;
+    double height = 0;
+    bool placed = false;
+};
+
+/// What is to be inserted, at its lowest.
+std::vector<InsertionCandidate> candidates_at(std::vector<PileSite> sites,
+                                              std::span<const PileKind> kinds,
+                                              const InsertionSettings& settings);
+
+/// Inserts the candidates in their order: each moves outwards to the first height at which it is
+/// free of those before it, not beyond `level` radii of its largest inner ball and its kind's
+/// range. Those that find no room stay for a higher level; those that never will, and those
+/// placed, go. The outcome does not depend on the number of threads.
+void insert_up_to(double level, Pile& pile, std::vector<InsertionCandidate>& candidates,
+                  const InsertionSettings& settings, const Context& context);
 
 } // namespace scree

@@ -106,7 +106,7 @@ void prepare_sheet(PileComponent& component, double thickness) {
     points.insert(points.end(), border.begin(), border.end());
     component.balls = points_as_balls(points, thickness / 2);
     component.probe = BallTree(component.balls);
-    component.surface = component.probe;
+    component.samples = BallTree(points_as_balls(points));
 }
 
 void prepare_solid(PileComponent& component) {
@@ -147,7 +147,9 @@ void prepare_solid(PileComponent& component) {
             probe.push_back({skin[i], 0});
     component.probe_fills = probe.empty() || probe.back().radius > 0;
     component.probe = BallTree(std::move(probe));
-    component.surface = BallTree(points_as_balls(skin));
+    for (const Ball& b : component.balls)
+        skin.push_back(b.centre);
+    component.samples = BallTree(points_as_balls(skin));
 }
 
 } // namespace

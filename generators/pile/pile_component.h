@@ -18,7 +18,7 @@ struct PileComponent {
     std::vector<Ball> balls; // some 30 at most that fill the inside but for its corners
     BallTree probe;          // fills the inside to 1% of the radius; radius 0: on the surface
     bool probe_fills = true; // without such points: whatever reaches in meets a ball
-    BallTree surface;        // evenly dense on the mesh, radius 0, to measure with
+    BallTree samples; // to measure with: dense on the mesh and at the balls' centres, radius 0
 };
 
 /// Prepares a closed mesh, or, with `thickness` [m] > 0, one as a sheet. Throws Error for a mesh

@@ -4,9 +4,14 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "generators/located.h"
+#include "generators/pile/cover_target.h"
 #include "generators/pile/insertion.h"
+#include "generators/pile/overlap_measure.h"
 #include "generators/pile/pile_problem.h"
 #include "generators/pile/pile_specs.h"
+#include "generators/pile/thesis_method.h"
+
+#include <fmt/format.h>
 
 #include <chrono>
 
@@ -15,10 +20,6 @@ namespace scree {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::vector<Instance> instances_of(const Pile& pile, std::uint64_t seed) {
     std::vector<Instance> instances(pile.all.size());
@@ -32,24 +33,101 @@ std::vector<Instance> instances_of(const Pile& pile, std::uint64_t seed) {
     return instances;
 }
 
-Aggregate bake_pile(const Params& params, const Context& context) {
-    const auto start = Clock::now();
-    const auto seed = static_cast<std::uint64_t>(params.integer("seed"));
-    const std::vector<PileKind> kinds = pile_kinds(params);
-    const double preparing = seconds_since(start);
-    const std::shared_ptr<const Mesh> target = params.mesh("target");
-    const PileFrame frame =
-        params.text("frame") == "global" ? PileFrame::global : PileFrame::surface;
+/// Seconds by stage, each from the end of the one before.
+class Stages {
+  public:
+    void end(const char* name) {
+        const Clock::time_point now = Clock::now();
+        seconds_.emplace_back(std::string(name) + "_seconds",
+                              std::chrono::duration<double>(now - last_).count());
+        last_ = now;
+    }
+    void add_to(Facts& facts) const {
+        facts.insert(facts.end(), seconds_.begin(), seconds_.end());
+        facts.emplace_back("seconds", std::chrono::duration<double>(last_ - start_).count());
+    }
 
-    const auto sampling_start = Clock::now();
-    const std::vector<PileSite> sites = located(
-        params, "target", [&] { return pile_sites(*target, kinds, frame, seed, 0, context); });
-    const double sampling = seconds_since(sampling_start);
-    const auto placing_start = Clock::now();
+  private:
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_ = start_;
+    Facts seconds_;
+};
+
+Pile at_start(const Pile& pile) {
+    Pile start(pile.kinds);
+    for (Placed placed : pile.all) {
+        placed.pose.centre -= Imath::V3d(placed.normal) * placed.height;
+        placed.height = 0;
+        start.add(placed);
+    }
+    return start;
+}
+
+void add_overlap(const Pile& pile, std::size_t most, Facts& facts) {
+    constexpr std::size_t volume_samples = 400;
+    const OverlapMeasure before = measure_overlap(at_start(pile), most, 0);
+    const OverlapMeasure after = measure_overlap(pile, most, volume_samples);
+    facts.insert(facts.end(), {{"measured", double(after.measured)},
+                               {"start_depth_mean", before.mean_depth},
+                               {"start_depth_99", before.percentile_99},
+                               {"start_depth_max", before.largest_depth},
+                               {"depth_mean", after.mean_depth},
+                               {"depth_99", after.percentile_99},
+                               {"depth_max", after.largest_depth},
+                               {"volume_overlap", after.volume_share}});
+}
+
+InsertionSettings insertion_settings(const Params& params) {
+    if (params.has("removal"))
+        throw params.error("removal", "is a parameter of the thesis's method",
+                           "expected method = \"thesis\" beside it");
+    return {.overlap = params.number("overlap"), .sink = params.number("sink")};
+}
+
+ThesisSettings thesis_settings(const Params& params) {
+    if (params.number("sink") > 0)
+        throw params.error("sink", "is no parameter of the thesis's method");
+    ThesisSettings settings;
+    settings.overlap = params.number("overlap");
+    if (params.has("removal"))
+        settings.removal = params.number("removal");
+    return settings;
+}
+
+// By kind, where there are several.
+void add_counts(const Pile& pile, Facts& facts) {
+    std::vector<double> counts(pile.kinds.size(), 0);
+    for (const Placed& placed : pile.all)
+        ++counts[placed.kind];
+    for (std::size_t k = 0; counts.size() > 1 && k < counts.size(); ++k)
+        facts.emplace_back(fmt::format("count_{}", k + 1), counts[k]);
+}
+
+Aggregate bake_pile(const Params& params, const Context& context) {
+    Stages stages;
+    const auto seed = static_cast<std::uint64_t>(params.integer("seed"));
+    const bool thesis = params.text("method") == "thesis";
+    const std::vector<PileKind> kinds = pile_kinds(params);
+    const PileTurns turns{.kinds = kinds,
+                          .frame = params.text("frame") == "global" ? PileFrame::global
+                                                                    : PileFrame::surface,
+                          .seed = seed};
+    stages.end("preparing");
+
+    const std::shared_ptr<const Mesh> target = params.mesh("target");
+    std::vector<PileSite> sites =
+        located(params, "target", [&] { return pile_sites(*target, turns, context); });
+    stages.end("sampling");
+
     Pile pile(kinds);
-    insert_components(
-        pile, sites, {.overlap = params.number("overlap"), .sink = params.number("sink")}, context);
-    const double placing = seconds_since(placing_start);
+    std::size_t tried = sites.size();
+    if (thesis) {
+        place_by_thesis(pile, merge_large_to_small(kinds, sites), thesis_settings(params), context);
+    } else {
+        tried = pile_up(pile, *target, turns, std::move(sites), insertion_settings(params),
+                        params.number("cover"), context);
+    }
+    stages.end("placing");
 
     Aggregate aggregate;
     aggregate.generator = "pile";
@@ -57,10 +135,15 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     for (const PileKind& kind : kinds)
         aggregate.prototypes.push_back(kind.component.prototype);
     aggregate.instances = instances_of(pile, seed);
-    aggregate.facts = {
-        {"count", double(pile.all.size())}, {"dropped", double(sites.size() - pile.all.size())},
-        {"preparing_seconds", preparing},   {"sampling_seconds", sampling},
-        {"placing_seconds", placing},       {"seconds", seconds_since(start)}};
+    aggregate.facts = {{"count", double(pile.all.size())},
+                       {"dropped", double(tried - pile.all.size())}};
+    add_counts(pile, aggregate.facts);
+    if (params.integer("measure") > 0) {
+        aggregate.facts.emplace_back("cover", measured_cover(pile, *target, seed));
+        add_overlap(pile, static_cast<std::size_t>(params.integer("measure")), aggregate.facts);
+        stages.end("measuring");
+    }
+    stages.add_to(aggregate.facts);
     return aggregate;
 }
 

@@ -23,6 +23,8 @@ struct PileKind {
 struct Placed {
     std::uint32_t kind = 0;
     Pose pose;
+    Vec3 normal{0, 1, 0}; // of the surface where it was set, outwards
+    double height = 0;    // of its centre above there, along the normal [m]
 };
 
 } // namespace scree

@@ -3,6 +3,8 @@
 
 #include "generators/located.h"
 
+#include <optional>
+
 namespace scree {
 
 namespace {
@@ -18,6 +20,15 @@ double thickness_of(const Params& component) {
                                       : 0.02 * 2 * std::sqrt(area(*component.mesh("shape")) / pi);
 }
 
+/// What is given for the component, or for all.
+std::optional<double> given_number(const Params& params, const Params& component,
+                                   const char* name) {
+    for (const Params* from : {&component, &params})
+        if (from->has(name))
+            return from->number(name);
+    return {};
+}
+
 const Params& given(const Params& params, const Params& component, const char* name) {
     return component.has(name) ? component : params;
 }
@@ -26,6 +37,7 @@ const Params& given(const Params& params, const Params& component, const char* n
 
 std::vector<PileKind> pile_kinds(const Params& params) {
     const std::vector<Params>& components = params.list("components");
+    const bool thesis = params.text("method") == "thesis";
     std::vector<PileKind> kinds;
     for (const Params& component : components) {
         Prototype prototype;
@@ -33,13 +45,14 @@ std::vector<PileKind> pile_kinds(const Params& params) {
         prototype.name = prototype.mesh->name;
         prototype.material = component.material("material");
         const double thickness = thickness_of(component);
+        const double spacing = given_number(params, component, "spacing").value_or(thesis ? 1 : 3);
         kinds.push_back({
             .component =
                 located(component, "shape",
                         [&] { return prepare_component(std::move(prototype), thickness); }),
             .weight = component.number("weight"),
-            .spacing = given(params, component, "spacing").number("spacing"),
-            .refine = given(params, component, "refine").number("refine"),
+            .spacing = spacing,
+            .refine = given_number(params, component, "refine").value_or(thesis ? 2 : 6 / spacing),
             .rotation = given(params, component, "rotation").vector3("rotation"),
         });
     }

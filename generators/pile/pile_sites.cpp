@@ -6,19 +6,10 @@
 #include "generators/sampling/surface_disks.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace scree {
 
 namespace {
-
-/// Random numbers of one kind in one pass.
-struct Stream {
-    std::uint64_t seed;
-    std::uint64_t part; // of the indices
-
-    Random at(Purpose purpose, std::uint64_t i) const { return {seed, purpose, part << 32 | i}; }
-};
 
 Imath::M33f turn_about(int axis, double angle) {
     const auto c = static_cast<float>(std::cos(angle));
@@ -55,49 +46,52 @@ Imath::M33f random_turn(const Vec3& rotation, Random random) {
 
 } // namespace
 
-std::vector<PileSite> pile_sites(const Mesh& target, std::span<const PileKind> kinds,
-                                 PileFrame frame, std::uint64_t seed, std::uint32_t pass,
+PileSite PileTurns::site(const Imath::V3d& position, const Vec3& normal, std::uint32_t kind,
+                         std::uint64_t number) const {
+    return {.position = position,
+            .normal = normal,
+            .world_from_component =
+                random_turn(kinds[kind].rotation, Random(seed, Purpose::pile_turn, number)) *
+                frame_at(normal, frame),
+            .kind = kind};
+}
+
+std::vector<PileSite> pile_sites(const Mesh& target, const PileTurns& turns,
                                  const Context& context) {
-    std::vector<PileSite> sites;
-    std::vector<double> turns; // when each is tried
-    for (std::uint32_t k = 0; k < kinds.size(); ++k) {
-        const Stream stream{seed, std::uint64_t{pass} * kinds.size() + k};
-        const SurfaceDiskProblem problem{.mesh = &target,
-                                         .distances = {2 * kinds[k].distribution_radius()},
-                                         .seed = seed ^ stream.part * 0x9e3779b97f4a7c15ULL};
-        const SurfaceDiskSet set = sample_surface_disks(problem, context);
-        const std::size_t first = sites.size();
-        sites.resize(first + set.samples.size());
-        parallel_for(set.samples.size(), 256, [&](std::size_t i) {
-            const SurfaceSample& sample = set.samples[i];
-            const Vec3 normal = smooth_normal(target, sample);
-            sites[first + i] = {
-                .position = sample.position,
-                .normal = normal,
-                .world_from_component =
-                    random_turn(kinds[k].rotation, stream.at(Purpose::pile_turn, i)) *
-                    frame_at(normal, frame),
-                .kind = k};
-        });
-        std::vector<std::pair<double, std::size_t>> order;
-        for (std::size_t i = 0; i < set.samples.size(); ++i)
-            order.emplace_back(stream.at(Purpose::pile_order, i).uniform(), i);
+    struct Tried {
+        double when;
+        PileSite site;
+    };
+    std::vector<Tried> tried;
+    for (std::uint32_t k = 0; k < turns.kinds.size(); ++k) {
+        const PileKind& kind = turns.kinds[k];
+        const auto number = [k](std::size_t i) { return std::uint64_t{k} << 32 | i; };
+        const SurfaceDiskSet set =
+            sample_surface_disks({.mesh = &target,
+                                  .distances = {2 * kind.distribution_radius()},
+                                  .seed = turns.seed ^ k * 0x9e3779b97f4a7c15ULL},
+                                 context);
+        std::vector<std::pair<double, std::size_t>> order(set.samples.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+            order[i] = {Random(turns.seed, Purpose::pile_order, number(i)).uniform(), i};
         std::sort(order.begin(), order.end());
-        turns.resize(sites.size());
-        for (std::size_t rank = 0; rank < order.size(); ++rank)
-            turns[first + order[rank].second] =
-                (double(rank) + order[rank].first) / kinds[k].weight;
+        const std::size_t first = tried.size();
+        tried.resize(first + order.size());
+        parallel_for(order.size(), 256, [&](std::size_t rank) {
+            const auto [share, i] = order[rank];
+            const SurfaceSample& sample = set.samples[i];
+            tried[first + rank] = {
+                (double(rank) + share) / kind.weight,
+                turns.site(sample.position, smooth_normal(target, sample), k, number(i))};
+        });
     }
-    std::vector<std::size_t> order(sites.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return std::pair(turns[a], a) < std::pair(turns[b], b);
-    });
-    std::vector<PileSite> ordered;
-    ordered.reserve(sites.size());
-    for (const std::size_t i : order)
-        ordered.push_back(sites[i]);
-    return ordered;
+    std::stable_sort(tried.begin(), tried.end(),
+                     [](const Tried& a, const Tried& b) { return a.when < b.when; });
+    std::vector<PileSite> sites;
+    sites.reserve(tried.size());
+    for (const Tried& one : tried)
+        sites.push_back(one.site);
+    return sites;
 }
 
 } // namespace scree

@@ -17,7 +17,8 @@ struct PileSite {
 
     /// The component moved outwards by `height` [m].
     Placed at(double height) const {
-        return {kind, {position + Imath::V3d(normal) * height, world_from_component}};
+        return {
+            kind, {position + Imath::V3d(normal) * height, world_from_component}, normal, height};
     }
 };
 
@@ -25,11 +26,21 @@ struct PileSite {
 /// or the world's y axis.
 enum class PileFrame { surface, global };
 
+/// How sites are turned and numbered.
+struct PileTurns {
+    std::span<const PileKind> kinds;
+    PileFrame frame = PileFrame::surface;
+    std::uint64_t seed = 0;
+
+    /// A site with its random turn, which is that of `number`.
+    PileSite site(const Imath::V3d& position, const Vec3& normal, std::uint32_t kind,
+                  std::uint64_t number) const;
+};
+
 /// A maximal set of sites for each kind, two of its distribution radii apart, in the order in which
 /// they are tried: random within a kind, and every kind as often as its weight says while it has
-/// sites left. Every `pass` has other ones. Throws as `sample_surface_disks`.
-std::vector<PileSite> pile_sites(const Mesh& target, std::span<const PileKind> kinds,
-                                 PileFrame frame, std::uint64_t seed, std::uint32_t pass,
+/// sites left. Throws as `sample_surface_disks`.
+std::vector<PileSite> pile_sites(const Mesh& target, const PileTurns& turns,
                                  const Context& context);
 
 } // namespace scree

@@ -87,13 +87,15 @@ std::vector<ParamSpec> pile_specs() {
         {.name = "method",
          .type = ParamType::choice,
          .doc = "insertion: each component moves outwards to the first place where it is free of "
-                "those before it.",
+                "those before it; thesis: the method as published, which counts vertices in "
+                "medial balls and lets meshes overlap.",
          .fallback = std::string("insertion"),
-         .choices = {"insertion"}},
-        with(spacing("C_radius: how far apart components are tried, in radii of their largest "
-                     "inner ball; a sheet's in halves of the radius of a disk of its area."),
-             1.0),
-        with(refine("C_refine: how far outwards they may move, in halves of that distance."), 6.0),
+         .choices = {"insertion", "thesis"}},
+        own(spacing("C_radius: how far apart components are tried, in radii of their largest "
+                    "inner ball, or, of a sheet, in halves of the radius of a disk of its area; 3 "
+                    "unless given, 1 with the thesis's method.")),
+        own(refine("C_refine: how far outwards they may move, in halves of that distance; unless "
+                   "given, 2 with the thesis's method, otherwise as far as three such radii.")),
         with(rotation("Widths of the ranges, even to both sides, by which they are turned at "
                       "random: about v, which points outwards, then about u, the surface's level "
                       "line, and w, across."),
@@ -118,6 +120,27 @@ std::vector<ParamSpec> pile_specs() {
          .fallback = 0.0,
          .min = 0.0,
          .max = 100.0},
+        {.name = "cover",
+         .type = ParamType::number,
+         .doc = "insertion goes on where the surface still shows until this share of it is hidden "
+                "from outside, or nothing more finds room; 0: one pass.",
+         .fallback = 0.99,
+         .min = 0.0,
+         .max = 1.0},
+        {.name = "removal",
+         .type = ParamType::number,
+         .doc = "D, of the thesis's method: what overlaps by more in the end goes; in radii of the "
+                "largest inner ball.",
+         .optional = true,
+         .min = 0.0,
+         .max = 1.0},
+        {.name = "measure",
+         .type = ParamType::integer,
+         .doc = "How many components, evenly taken from all, the overlap is measured at; 0: it is "
+                "not.",
+         .fallback = std::int64_t{500},
+         .min = 0.0,
+         .max = 1e7},
         {.name = "seed",
          .type = ParamType::integer,
          .doc = "Another seed, another pile.",

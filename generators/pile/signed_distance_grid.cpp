@@ -3,13 +3,14 @@
 
 #include "generators/pile/triangle_distance.h"
 
-#include <limits>
+#include <algorithm>
 
 namespace scree {
 
 namespace {
 
 constexpr std::int32_t none = -1;
+constexpr float unknown = 1e18F; // its square is finite
 
 // Samples all round the mesh, the outermost outside of it.
 VoxelGrid grid_round(const Mesh& mesh, double step, double thickness, std::size_t most) {
@@ -33,7 +34,9 @@ VoxelGrid grid_round(const Mesh& mesh, double step, double thickness, std::size_
 class NearestTriangles {
   public:
     NearestTriangles(const Mesh& mesh, const VoxelGrid& grid)
-        : grid_(grid), distance2_(grid.size(), std::numeric_limits<float>::max()),
+        : grid_(grid), stride_{1, std::size_t(grid.count[0]),
+                               std::size_t(grid.count[0]) * std::size_t(grid.count[1])},
+          step_(static_cast<float>(grid.side)), distance_(grid.size(), unknown),
           nearest_(grid.size(), none) {
         triangles_.reserve(mesh.triangles.size());
         for (const Mesh::Triangle& t : mesh.triangles)
@@ -47,15 +50,15 @@ class NearestTriangles {
                     sweep({dx, dy, dz});
     }
 
-    float distance(std::size_t i) const { return std::sqrt(distance2_[i]); }
+    float distance(std::size_t i) const { return distance_[i]; }
 
   private:
     Vec3 position(int i, int j, int k) const { return Vec3(grid_.centre(i, j, k)); }
 
     void try_triangle(std::size_t at, const Vec3& p, std::int32_t t) {
         const float d2 = triangles_[static_cast<std::size_t>(t)].distance2(p);
-        if (d2 < distance2_[at]) {
-            distance2_[at] = d2;
+        if (d2 < distance_[at] * distance_[at]) {
+            distance_[at] = std::sqrt(d2);
             nearest_[at] = t;
         }
     }
@@ -91,36 +94,27 @@ class NearestTriangles {
                     hand_on(i, j, k, d);
     }
 
-    // From the seven samples before this one. A neighbour whose triangle is too far to help is
+    // From the three samples before this one. A neighbour whose triangle is too far to help is
     // left alone.
     void hand_on(int i, int j, int k, const std::array<int, 3>& d) {
+        const std::array<int, 3> cell{i, j, k};
         const std::size_t at = grid_.index(i, j, k);
-        const Vec3 p = position(i, j, k);
-        for (int bits = 1; bits < 8; ++bits) {
-            const int x = i - (bits & 1 ? d[0] : 0);
-            const int y = j - (bits & 2 ? d[1] : 0);
-            const int z = k - (bits & 4 ? d[2] : 0);
-            if (x < 0 || y < 0 || z < 0 || x >= grid_.count[0] || y >= grid_.count[1] ||
-                z >= grid_.count[2])
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int before = cell[axis] - d[axis];
+            if (before < 0 || before >= grid_.count[axis])
                 continue;
-            const std::size_t from = grid_.index(x, y, z);
+            const std::size_t from = d[axis] > 0 ? at - stride_[axis] : at + stride_[axis];
             const std::int32_t t = nearest_[from];
-            if (t == none || t == nearest_[at])
-                continue;
-            const float apart =
-                static_cast<float>(grid_.side) * reach_of[static_cast<std::size_t>(bits)];
-            if (nearest_[at] != none && distance(from) - apart >= distance(at))
-                continue;
-            try_triangle(at, p, t);
+            if (t != none && t != nearest_[at] && distance_[from] - step_ < distance_[at])
+                try_triangle(at, position(i, j, k), t);
         }
     }
 
-    static constexpr std::array<float, 8> reach_of{0, 1,        1,        1.41422F,
-                                                   1, 1.41422F, 1.41422F, 1.73206F};
-
     VoxelGrid grid_;
     std::vector<DistanceTriangle> triangles_;
-    std::vector<float> distance2_;
+    std::array<std::size_t, 3> stride_;
+    float step_;
+    std::vector<float> distance_;
     std::vector<std::int32_t> nearest_;
 };
 
@@ -143,36 +137,6 @@ SignedDistanceGrid::SignedDistanceGrid(const Mesh& mesh, double step, double thi
                      : inside[i]   ? -distance
                                    : distance;
     }
-}
-
-float SignedDistanceGrid::at(const Vec3& p) const {
-    const Vec3 g = (p - first_) * inverse_step_;
-    const Vec3 c(std::clamp(g.x, 0.0F, last_.x), std::clamp(g.y, 0.0F, last_.y),
-                 std::clamp(g.z, 0.0F, last_.z));
-    // None is negative, so that truncation is the floor.
-    const int x = std::min(static_cast<int>(c.x), grid_.count[0] - 2);
-    const int y = std::min(static_cast<int>(c.y), grid_.count[1] - 2);
-    const int z = std::min(static_cast<int>(c.z), grid_.count[2] - 2);
-    const float u = c.x - static_cast<float>(x);
-    const float v = c.y - static_cast<float>(y);
-    const float w = c.z - static_cast<float>(z);
-    const float* near = values_.data() + static_cast<std::size_t>(x) +
-                        static_cast<std::size_t>(y) * stride_[1] +
-                        static_cast<std::size_t>(z) * stride_[2];
-    const float* far = near + stride_[2];
-    const auto along_x = [u](const float* f) { return f[0] + u * (f[1] - f[0]); };
-    const auto in_plane = [&](const float* f) {
-        const float low = along_x(f);
-        return low + v * (along_x(f + stride_[1]) - low);
-    };
-    const float low = in_plane(near);
-    const float inside = low + w * (in_plane(far) - low);
-    const float beyond2 = (g - c).length2();
-    if (beyond2 == 0)
-        return inside;
-    // The mesh lies in the grid's box, so that the way to it turns by a right angle or more.
-    const auto step = static_cast<float>(grid_.side);
-    return std::sqrt(beyond2 * step * step + inside * inside);
 }
 
 float SignedDistanceGrid::at(const Vec3& p, Vec3& gradient) const {

@@ -4,6 +4,7 @@
 #include "core/mesh.h"
 #include "core/voxel_grid.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace scree {
@@ -37,5 +38,35 @@ class SignedDistanceGrid {
     std::array<std::size_t, 3> stride_{};
     std::vector<float> values_;
 };
+
+inline float SignedDistanceGrid::at(const Vec3& p) const {
+    const Vec3 g = (p - first_) * inverse_step_;
+    const Vec3 c(std::clamp(g.x, 0.0F, last_.x), std::clamp(g.y, 0.0F, last_.y),
+                 std::clamp(g.z, 0.0F, last_.z));
+    // None is negative, so that truncation is the floor.
+    const int x = std::min(static_cast<int>(c.x), grid_.count[0] - 2);
+    const int y = std::min(static_cast<int>(c.y), grid_.count[1] - 2);
+    const int z = std::min(static_cast<int>(c.z), grid_.count[2] - 2);
+    const float u = c.x - static_cast<float>(x);
+    const float v = c.y - static_cast<float>(y);
+    const float w = c.z - static_cast<float>(z);
+    const float* near = values_.data() + static_cast<std::size_t>(x) +
+                        static_cast<std::size_t>(y) * stride_[1] +
+                        static_cast<std::size_t>(z) * stride_[2];
+    const float* far = near + stride_[2];
+    const auto along_x = [u](const float* f) { return f[0] + u * (f[1] - f[0]); };
+    const auto in_plane = [&](const float* f) {
+        const float low = along_x(f);
+        return low + v * (along_x(f + stride_[1]) - low);
+    };
+    const float low = in_plane(near);
+    const float inside = low + w * (in_plane(far) - low);
+    const float beyond2 = (g - c).length2();
+    if (beyond2 == 0)
+        return inside;
+    // The mesh lies in the grid's box, so that the way to it turns by a right angle or more.
+    const auto step = static_cast<float>(grid_.side);
+    return std::sqrt(beyond2 * step * step + inside * inside);
+}
 
 } // namespace scree

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace scree {
@@ -200,7 +201,7 @@ SurfaceDiskSet Cells::result() const {
 SurfaceDiskSet sample_surface_disks(const SurfaceDiskProblem& problem, const Context& context) {
     constexpr double most = 0x1p27;
     const double surface = area(*problem.mesh);
-    if (!inspect(*problem.mesh).finite)
+    if (!std::all_of(problem.mesh->positions.begin(), problem.mesh->positions.end(), is_finite))
         throw Error("the mesh has numbers that are not finite");
     if (!(surface > 0))
         throw Error("the mesh has no area");

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/pile/cover_target.h"
+
+#include "core/random.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace scree {
+
+namespace {
+
+// Of a level, in radii: less than a component's thickness, so that each layer fills before the
+// next lies on it.
+constexpr double level_height = 0.5;
+constexpr int most_passes = 3;      // over the gaps of a level
+constexpr double least_gain = 0.02; // of the gaps tried that a pass closes, or it was the last
+constexpr std::size_t measuring_rays = 8192;
+constexpr std::size_t rays_per_site = 4;
+
+double hidden_share(std::size_t open, std::size_t all) {
+    return all > 0 ? 1 - double(open) / double(all) : 1;
+}
+
+/// Kinds at random by weight.
+std::uint32_t pick_kind(std::span<const PileKind> kinds, Random random) {
+    double sum = 0;
+    for (const PileKind& kind : kinds)
+        sum += kind.weight;
+    double at = random.uniform(0, sum);
+    std::uint32_t k = 0;
+    while (k + 1 < kinds.size() && (at -= kinds[k].weight) >= 0)
+        ++k;
+    return k;
+}
+
+/// The rays along which the target's surface still shows.
+class Gaps {
+  public:
+    Gaps(const Mesh& target, const PileTurns& turns, std::size_t count, double cover)
+        : turns_(turns), rays_(outside_rays(target, count, turns.seed, 0)), all_(rays_.size()),
+          cover_(cover) {}
+
+    /// Looks again. Whether too many are left.
+    bool remain(const Pile& pile) {
+        rays_ = open_rays(pile, rays_);
+        return hidden_share(rays_.size(), all_) < cover_;
+    }
+
+    /// A site at the origin of each, turned as nowhere before.
+    std::vector<PileSite> sites() {
+        std::vector<PileSite> out;
+        for (const OutsideRay& ray : rays_) {
+            const std::uint64_t number = std::uint64_t{1} << 63 | made_++;
+            const std::uint32_t kind =
+                pick_kind(turns_.kinds, Random(turns_.seed, Purpose::pile_order, number));
+            out.push_back(turns_.site(ray.origin, ray.normal, kind, number));
+        }
+        return out;
+    }
+
+  private:
+    PileTurns turns_;
+    std::vector<OutsideRay> rays_;
+    std::size_t all_;
+    double cover_;
+    std::uint64_t made_ = 0;
+};
+
+double levels_of(std::span<const PileKind> kinds, double sink) {
+    double levels = 1;
+    for (const PileKind& kind : kinds)
+        levels = std::max(levels,
+                          std::ceil((kind.range() / kind.component.radius + sink) / level_height));
+    return levels;
+}
+
+} // namespace
+
+std::size_t pile_up(Pile& pile, const Mesh& target, const PileTurns& turns,
+                    std::vector<PileSite> sites, const InsertionSettings& settings, double cover,
+                    const Context& context) {
+    std::size_t tried = sites.size();
+    std::optional<Gaps> gaps;
+    if (cover > 0)
+        gaps.emplace(target, turns, std::max(measuring_rays, rays_per_site * sites.size()), cover);
+    std::vector<InsertionCandidate> waiting =
+        candidates_at(std::move(sites), turns.kinds, settings);
+    const double levels = levels_of(turns.kinds, settings.sink);
+    for (double n = 1; n <= levels; ++n) {
+        context.report("pile", (n - 1) / levels);
+        const double level = n * level_height - settings.sink;
+        insert_up_to(level, pile, waiting, settings, context);
+        for (int pass = 0; gaps && pass < most_passes; ++pass) {
+            if (!gaps->remain(pile))
+                return tried;
+            std::vector<InsertionCandidate> fresh =
+                candidates_at(gaps->sites(), turns.kinds, settings);
+            const std::size_t before = pile.all.size();
+            const std::size_t count = fresh.size();
+            insert_up_to(level, pile, fresh, settings, context);
+            tried += count;
+            if (double(pile.all.size() - before) < least_gain * double(count))
+                break;
+        }
+    }
+    return tried;
+}
+
+double measured_cover(const Pile& pile, const Mesh& target, std::uint64_t seed) {
+    const std::vector<OutsideRay> rays = outside_rays(target, measuring_rays, seed, 1);
+    return hidden_share(open_rays(pile, rays).size(), rays.size());
+}
+
+} // namespace scree

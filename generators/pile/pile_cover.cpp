@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/pile/pile_cover.h"
+
+#include "core/field.h"
+#include "core/parallel.h"
+#include "core/random.h"
+#include "generators/pile/mesh_rays.h"
+#include "generators/sampling/surface_disks.h"
+
+#include <algorithm>
+
+namespace scree {
+
+namespace {
+
+using Vec3d = Imath::V3d;
+
+Vec3 cosine_direction(const Vec3& normal, Random& random) {
+    // A point of the unit sphere round the normal's tip (Archimedes' cylinder).
+    const double z = random.uniform(-1, 1);
+    const double angle = random.uniform(0, 2 * pi);
+    const double r = std::sqrt(1 - z * z);
+    const Vec3 d = normal + Vec3(static_cast<float>(r * std::cos(angle)),
+                                 static_cast<float>(r * std::sin(angle)), static_cast<float>(z));
+    return d.length() > 1e-3F ? d.normalized() : normal;
+}
+
+/// Points of a mesh by area.
+class AreaSampler {
+  public:
+    explicit AreaSampler(const Mesh& mesh) : mesh_(&mesh) {
+        for (const Mesh::Triangle& t : mesh.triangles) {
+            const Vec3 n = normal_of(t);
+            sums_.push_back((sums_.empty() ? 0 : sums_.back()) + double(n.length()));
+        }
+    }
+
+    SurfaceSample at(Random& random) const {
+        const auto found =
+            std::upper_bound(sums_.begin(), sums_.end(), random.uniform(0, sums_.back()));
+        const auto t = std::min<std::size_t>(std::size_t(found - sums_.begin()), sums_.size() - 1);
+        const Mesh::Triangle& v = mesh_->triangles[t];
+        const double root = std::sqrt(random.uniform());
+        const double b = root * (1 - random.uniform());
+        const Vec3d p = Vec3d(mesh_->positions[v[0]]) * (1 - root) +
+                        Vec3d(mesh_->positions[v[1]]) * b +
+                        Vec3d(mesh_->positions[v[2]]) * (root - b);
+        return {p, normal_of(v).normalized(), static_cast<std::uint32_t>(t), 0};
+    }
+
+  private:
+    Vec3 normal_of(const Mesh::Triangle& t) const {
+        const Vec3& a = mesh_->positions[t[0]];
+        return (mesh_->positions[t[1]] - a).cross(mesh_->positions[t[2]] - a);
+    }
+
+    const Mesh* mesh_;
+    std::vector<double> sums_;
+};
+
+// Where the ray is within `radius` of a point, from 0 on.
+Range within(const OutsideRay& ray, const Vec3d& point, double radius) {
+    const Vec3d to = point - ray.origin;
+    const double along = to.dot(Vec3d(ray.direction));
+    const double half2 = radius * radius - (to.length2() - along * along);
+    if (half2 <= 0)
+        return {0, -1};
+    const double half = std::sqrt(half2);
+    return {std::max(0.0, along - half), along + half};
+}
+
+// Followed from free ball to free ball (Hart 1996).
+bool meets(const OutsideRay& ray, const PileComponent& component, const Pose& pose) {
+    const Range range = within(ray, pose.centre, component.reach);
+    const Imath::M33f inverse = pose.world_from_component.transposed();
+    const Vec3 origin = Vec3(ray.origin - pose.centre) * inverse;
+    const Vec3 direction = ray.direction * inverse;
+    const double least = 0.01 * component.radius;
+    for (double t = range.low; t <= range.high;) {
+        const auto distance =
+            double(component.distance.at(origin + direction * static_cast<float>(t)));
+        if (distance <= 0)
+            return true;
+        t += std::max(distance, least);
+    }
+    return false;
+}
+
+double largest_reach(const Pile& pile) {
+    double reach = 0;
+    for (const PileKind& kind : pile.kinds)
+        reach = std::max(reach, kind.component.reach);
+    return reach;
+}
+
+Imath::Box3d bounds_of(const Pile& pile) {
+    Imath::Box3d box;
+    for (const Placed& placed : pile.all) {
+        const Vec3d reach(pile.component(placed).reach);
+        box.extendBy(placed.pose.centre - reach);
+        box.extendBy(placed.pose.centre + reach);
+    }
+    return box;
+}
+
+// Whether a component lies in the ray's way through the box, its origin included.
+bool is_hidden(const Pile& pile, const OutsideRay& ray, const Imath::Box3d& bounds) {
+    const double piece = 4 * largest_reach(pile);
+    Vec3d at = ray.origin;
+    bool hidden = false;
+    while (!hidden && bounds.intersects(at)) {
+        const Vec3d next = at + Vec3d(ray.direction) * piece;
+        pile.hash.near((at + next) * 0.5, piece / 2, [&](std::uint32_t index) {
+            const Placed& placed = pile.all[index];
+            hidden = hidden || meets(ray, pile.component(placed), placed.pose);
+        });
+        at = next;
+    }
+    return hidden;
+}
+
+} // namespace
+
+std::vector<OutsideRay> outside_rays(const Mesh& target, std::size_t count, std::uint64_t seed,
+                                     std::uint32_t stream) {
+    const AreaSampler sampler(target);
+    const MeshRays blocked(target);
+    const double near = 1e-4 * double(bounds(target).size().length());
+    const bool closed = inspect(target).closed();
+    std::vector<OutsideRay> rays(count);
+    std::vector<char> leaves(count, 0);
+    parallel_for(count, 64, [&](std::size_t i) {
+        Random random(seed, Purpose::pile_ray, std::uint64_t{stream} << 32 | i);
+        const SurfaceSample sample = sampler.at(random);
+        const float side = closed || random.uniform() < 0.5 ? 1.0F : -1.0F;
+        rays[i] = {sample.position, smooth_normal(target, sample),
+                   cosine_direction(sample.normal * side, random)};
+        leaves[i] = !blocked.hits(rays[i].origin, rays[i].direction, near);
+    });
+    std::vector<OutsideRay> out;
+    for (std::size_t i = 0; i < count; ++i)
+        if (leaves[i])
+            out.push_back(rays[i]);
+    return out;
+}
+
+std::vector<OutsideRay> open_rays(const Pile& pile, const std::vector<OutsideRay>& rays) {
+    Imath::Box3d box = bounds_of(pile);
+    for (const OutsideRay& ray : rays)
+        box.extendBy(ray.origin);
+    std::vector<char> hidden(rays.size(), 0);
+    parallel_for(rays.size(), 16,
+                 [&](std::size_t i) { hidden[i] = is_hidden(pile, rays[i], box); });
+    std::vector<OutsideRay> open;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (!hidden[i])
+            open.push_back(rays[i]);
+    return open;
+}
+
+} // namespace scree
