@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "core/version.h"
+#include "fabrication/fabricate.h"
 #include "formats/bake_json.h"
 #include "render/render.h"
 
@@ -23,10 +24,28 @@ nlohmann::ordered_json facts_json(const Facts& facts) {
     return out;
 }
 
+nlohmann::ordered_json parts_json(std::span<const FabricationPart> parts) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const FabricationPart& part : parts)
+        out.push_back({{"volume_mm3", part.volume * 1e9}, {"triangles", part.triangles}});
+    return out;
+}
+
+nlohmann::ordered_json solid_json(const Fabrication& solid) {
+    return {{"components", solid.solids},
+            {"resolution_mm", solid.resolution * 1000},
+            {"triangles", solid.mesh.triangles.size()},
+            {"parts", parts_json(solid.parts)},
+            {"removed", parts_json(solid.removed)},
+            {solid.voids_kept ? "voids_kept" : "voids_filled", solid.voids},
+            {"void_volume_mm3", solid.void_volume * 1e9}};
+}
+
 } // namespace
 
 std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggregates,
-                           const RenderFigures* render, const Facts& texture) {
+                           const RenderFigures* render, const Facts& texture,
+                           const Fabrication* solid) {
     using Json = nlohmann::ordered_json;
     Json root{{"scree", SCREE_VERSION}, {"threads", thread_count()}};
     root["stages"] = Json::array();
@@ -54,6 +73,8 @@ std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggr
     }
     if (!texture.empty())
         root["texture"] = facts_json(texture);
+    if (solid != nullptr)
+        root["solid"] = solid_json(*solid);
     return root.dump(2) + "\n";
 }
 

@@ -9,6 +9,7 @@
 
 namespace scree {
 
+struct Fabrication;
 struct RenderStats;
 
 /// What a render adds to the stats.
@@ -19,8 +20,9 @@ struct RenderFigures {
 };
 
 /// The text of --stats (docs/formats.md): every stage's cost, every generator's facts, the
-/// renderer's figures when there was a render, and a texture's when one was baked.
+/// renderer's figures when there was a render, and a texture's or a solid's when one was baked.
 std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggregates,
-                           const RenderFigures* render, const Facts& texture = {});
+                           const RenderFigures* render, const Facts& texture = {},
+                           const Fabrication* solid = nullptr);
 
 } // namespace scree

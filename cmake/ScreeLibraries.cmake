@@ -30,6 +30,16 @@ if(NOT TARGET OpenVDB::openvdb)
     INTERFACE_LINK_LIBRARIES "Imath::Imath;TBB::tbb")
 endif()
 
+# lib3mf's own description names the development files of all that the library was built with.
+find_path(LIB3MF_INCLUDE_DIR Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf REQUIRED)
+find_library(LIB3MF_LIBRARY 3MF REQUIRED)
+if(NOT TARGET Lib3MF::lib3mf)
+  add_library(Lib3MF::lib3mf UNKNOWN IMPORTED)
+  set_target_properties(Lib3MF::lib3mf PROPERTIES
+    IMPORTED_LOCATION ${LIB3MF_LIBRARY}
+    INTERFACE_INCLUDE_DIRECTORIES ${LIB3MF_INCLUDE_DIR})
+endif()
+
 # Embree 3 or 4, whichever there is; render/world.cpp adapts to both.
 find_package(embree 4 CONFIG QUIET)
 if(NOT embree_FOUND)

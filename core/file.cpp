@@ -96,13 +96,21 @@ void write_atomically(const std::string& path,
     sync_path(folder_of(path), O_RDONLY | O_DIRECTORY);
 }
 
-void write_file(const std::string& path, std::string_view bytes) {
+void write_stream(const std::string& path, const std::function<void(std::ostream& out)>& write) {
     write_atomically(path, [&](const std::string& temporary) {
+        errno = 0;
         std::ofstream out(temporary, std::ios::binary);
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        if (out)
+            write(out);
         out.close();
         if (!out)
-            throw Error::resource("cannot write " + path + ": " + reason(errno));
+            throw Error::resource("cannot write " + path + ": " + reason(errno != 0 ? errno : EIO));
+    });
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+    write_stream(path, [&](std::ostream& out) {
+        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     });
 }
 

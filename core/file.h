@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,10 @@ std::string read_file(const std::string& path, std::uint64_t limit = std::uint64
 /// temporary file is removed. Throws Error (resource) when the folder cannot be written.
 void write_atomically(const std::string& path,
                       const std::function<void(const std::string& temporary_path)>& write);
+
+/// The same for what `write` puts into a binary, seekable stream, which need not be looked at: that
+/// it held everything is checked in the end.
+void write_stream(const std::string& path, const std::function<void(std::ostream& out)>& write);
 
 /// The same for bytes at hand.
 void write_file(const std::string& path, std::string_view bytes);
