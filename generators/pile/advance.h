@@ -25,10 +25,11 @@ struct Pile {
     NeighbourHash hash;
 };
 
-/// How far two components reach into each other [m], as their probes tell, up to 1% of the smaller
-/// radius more; negative where they are apart. Exact above `floor`; otherwise `floor` or less.
+/// How far two components reach into each other [m], as their probes tell, give or take 1% of the
+/// smaller radius; negative where they are apart. `floor` and `enough` as in `BallTree::depth_in`.
 float depth_between(const PileComponent& a, const Pose& pose_a, const PileComponent& b,
-                    const Pose& pose_b, float floor);
+                    const Pose& pose_b, float floor,
+                    float enough = std::numeric_limits<float>::max());
 
 /// Whether two components reach no deeper than `overlap` (in radii of the smaller's largest inner
 /// ball) into each other.

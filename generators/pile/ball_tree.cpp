@@ -54,8 +54,8 @@ void BallTree::split(std::uint32_t node, std::uint32_t first, std::uint32_t end)
 }
 
 float BallTree::depth_in(const SignedDistanceGrid& neighbour, const RelativePose& there,
-                         float floor) const {
-    return depth_where([&](const Vec3& p) { return neighbour.at(there(p)); }, floor);
+                         float floor, float enough) const {
+    return depth_where([&](const Vec3& p) { return neighbour.at(there(p)); }, floor, enough);
 }
 
 } // namespace scree

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace scree {
 
@@ -18,15 +19,17 @@ class BallTree {
     explicit BallTree(std::vector<Ball> balls);
 
     /// How far the balls reach into a neighbour [m]: the greatest radius less distance to it, where
-    /// `there` takes their frame to the neighbour's. Negative where they keep away. Exact above
-    /// `floor`; otherwise `floor`, which it does not exceed.
-    float depth_in(const SignedDistanceGrid& neighbour, const RelativePose& there,
-                   float floor) const;
+    /// `there` takes their frame to the neighbour's. Negative where they keep away. Exact between
+    /// `floor` and `enough`; below `floor` it is that, and above `enough` any depth above it that
+    /// some ball has.
+    float depth_in(const SignedDistanceGrid& neighbour, const RelativePose& there, float floor,
+                   float enough = std::numeric_limits<float>::max()) const;
 
     /// The same for what is at `distance(p)` from a point p of the balls' frame: a function that
     /// grows no faster than p moves.
     template <class Distance>
-    float depth_where(const Distance& distance, float floor) const;
+    float depth_where(const Distance& distance, float floor,
+                      float enough = std::numeric_limits<float>::max()) const;
 
     /// All balls, in the tree's order.
     const std::vector<Ball>& balls() const { return balls_; }
@@ -45,7 +48,7 @@ class BallTree {
 };
 
 template <class Distance>
-float BallTree::depth_where(const Distance& distance, float floor) const {
+float BallTree::depth_where(const Distance& distance, float floor, float enough) const {
     const auto depth = [&](const Ball& ball) { return ball.radius - distance(ball.centre); };
     struct Open {
         std::uint32_t node;
@@ -56,7 +59,7 @@ float BallTree::depth_where(const Distance& distance, float floor) const {
     float deepest = floor;
     if (!nodes_.empty())
         open[count++] = {0, depth(nodes_[0].hull)};
-    while (count > 0) {
+    while (count > 0 && deepest <= enough) {
         const Open next = open[--count];
         if (next.bound <= deepest)
             continue;

@@ -12,11 +12,11 @@ namespace {
 
 // Of a level, in radii: less than a component's thickness, so that each layer fills before the
 // next lies on it.
-constexpr double level_height = 0.5;
-constexpr int most_passes = 3;      // over the gaps of a level
+constexpr double level_height = 1;
+constexpr int most_passes = 2;      // over the gaps of a level
 constexpr double least_gain = 0.02; // of the gaps tried that a pass closes, or it was the last
 constexpr std::size_t measuring_rays = 8192;
-constexpr std::size_t rays_per_site = 4;
+constexpr std::size_t rays_per_site = 3;
 
 double hidden_share(std::size_t open, std::size_t all) {
     return all > 0 ? 1 - double(open) / double(all) : 1;
