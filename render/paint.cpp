@@ -43,7 +43,6 @@ ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprin
     const InstanceRecord& record = *hit.record;
     ShadingPoint point;
     point.position = hit.object_position;
-    point.uv = hit.uv();
     point.random = hit.random;
 
     const Vec3 level = hit.normal.cross(direction); // as long as the sine of the slant
@@ -58,7 +57,6 @@ ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprin
         straighten(point.across, point.along);
         point.footprint = std::sqrt(point.across.dot(point.across));
     }
-    point.uv_footprint = point.footprint * hit.uv_scale();
     return point;
 }
 
@@ -82,7 +80,11 @@ Painted paint_at(const Paint& paint, const Hit& hit, const Vec3& direction, floa
         painted.color = paint.texture.constant;
         return painted;
     }
-    const ShadingPoint point = shading_point(hit, direction, footprint);
+    ShadingPoint point = shading_point(hit, direction, footprint);
+    if (!paint.texture.procedural->solid()) {
+        point.uv = hit.uv();
+        point.uv_footprint = point.footprint * hit.uv_scale();
+    }
     ShadingSample sample;
     paint.texture.procedural->evaluate({&point, 1}, {&sample, 1});
     painted.color = {reflectance(sample.color.x), reflectance(sample.color.y),

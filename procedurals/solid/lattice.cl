@@ -135,7 +135,8 @@ static inline float node_normal(uint key_a, uint key_b, uint level, uint x, uint
 // The level whose random numbers a level has.
 static inline int drawn_level(global const Lattice* lattice, int level) {
     level += lattice->drawn_from;
-    return level <= lattice->own ? level : lattice->own + 1 + (level - lattice->own - 1) % TILE_LEVELS;
+    return level <= lattice->own ? level
+                                 : lattice->own + 1 + (level - lattice->own - 1) % TILE_LEVELS;
 }
 
 // Coordinates of nodes of a level: those of one period, or all there are.
@@ -175,12 +176,10 @@ static inline float carried(const float* g, const float* x, const float* y, cons
     for (int b = 0; b < 2; ++b)
         for (int a = 0; a < 2; ++a) {
             const int i = 2 * a, j = 2 * b;
-            sum += (x[1] * y[i] * z[j] + 0.25f * (faces[1][a] + faces[2][b])) *
-                   g[1 + 3 * i + 9 * j];
-            sum += (x[i] * y[1] * z[j] + 0.25f * (faces[0][a] + faces[2][b])) *
-                   g[i + 3 + 9 * j];
-            sum += (x[i] * y[j] * z[1] + 0.25f * (faces[0][a] + faces[1][b])) *
-                   g[i + 3 * j + 9];
+            sum +=
+                (x[1] * y[i] * z[j] + 0.25f * (faces[1][a] + faces[2][b])) * g[1 + 3 * i + 9 * j];
+            sum += (x[i] * y[1] * z[j] + 0.25f * (faces[0][a] + faces[2][b])) * g[i + 3 + 9 * j];
+            sum += (x[i] * y[j] * z[1] + 0.25f * (faces[0][a] + faces[1][b])) * g[i + 3 * j + 9];
         }
     return sum;
 }
@@ -192,8 +191,7 @@ static inline void cell_normals(global const Lattice* lattice, int level, int cx
     for (int k = 0; k < 3; ++k)
         for (int j = 0; j < 3; ++j) {
             const uint row = row_bits(lattice->key_a, (uint)drawn_level(lattice, level),
-                                      (uint)(2 * cy + j) & mask,
-                                      (uint)(2 * cz + k) & mask);
+                                      (uint)(2 * cy + j) & mask, (uint)(2 * cz + k) & mask);
             const uint other = scramble(row + lattice->key_b);
             for (int i = 0; i < 3; ++i)
                 g[i + 3 * j + 9 * k] =
@@ -230,14 +228,35 @@ static inline Fluctuation trilinear(const float* v, float fx, float fy, float fz
     const float dx_far = mixed(v[5] - v[4], v[7] - v[6], fy);
     Fluctuation found;
     found.value = mixed(near, far, fz);
-    found.gradient = scaled(
-        triple(mixed(dx_near, dx_far, fz), mixed(b - a, d - c, fz), far - near), cells);
+    found.gradient =
+        scaled(triple(mixed(dx_near, dx_far, fz), mixed(b - a, d - c, fz), far - near), cells);
     found.variance = 0.0f;
     return found;
 }
 
-// Stored nodes with their levels up to `level`, of `levels`, at a place of the unit cube, or of space
-// where it repeats. The first node is number `at`; nodes of 16 bits count by `step`.
+// The trilinear field at the place `in` (0 to 1) of the cell 1 / cells wide whose first node is
+// number `first`, the next one `stride` farther, of a cube of `side` nodes. Nodes of 16 bits count
+// by `step`.
+static inline Fluctuation cell_field_plainly(global const short* nodes16,
+                                             global const float* nodes32, int first, int stride,
+                                             int side, float step, Triple in, float cells) {
+    float v[8];
+    for (int corner = 0; corner < 8; ++corner) {
+        const int node =
+            first + stride * ((corner & 1) + side * (((corner >> 1) & 1) + side * (corner >> 2)));
+        v[corner] = step > 0.0f ? step * (float)nodes16[node] : nodes32[node];
+    }
+    return trilinear(v, in.x, in.y, in.z, cells);
+}
+#ifdef LATTICE_TEXT_ON_HOST // in vectors, to the same bits: cell_vector.h
+inline Fluctuation cell_field(const short* nodes16, const float* nodes32, int first, int stride,
+                              int side, float step, Triple in, float cells);
+#else
+#define cell_field cell_field_plainly
+#endif
+
+// Stored nodes with their levels up to `level`, of `levels`, at a place of the unit cube, or of
+// space where it repeats. The first node is number `at`.
 static inline Fluctuation nodes_field(global const short* nodes16, global const float* nodes32,
                                       int at, float step, int levels, int level, Triple p) {
     const float cells = (float)(1 << level);
@@ -248,13 +267,8 @@ static inline Fluctuation nodes_field(global const short* nodes16, global const 
     const int side = (1 << levels) + 1;
     const int first =
         at + stride * (((int)cx & mask) + side * (((int)cy & mask) + side * ((int)cz & mask)));
-    float v[8];
-    for (int corner = 0; corner < 8; ++corner) {
-        const int node = first + stride * ((corner & 1) + side * (((corner >> 1) & 1) +
-                                                                  side * (corner >> 2)));
-        v[corner] = step > 0.0f ? step * (float)nodes16[node] : nodes32[node];
-    }
-    return trilinear(v, x - cx, y - cy, z - cz, cells);
+    return cell_field(nodes16, nodes32, first, stride, side, step, triple(x - cx, y - cy, z - cz),
+                      cells);
 }
 
 static inline Fluctuation stored_field(global const Lattice* lattice, global const short* nodes16,
@@ -267,13 +281,12 @@ static inline Fluctuation corner_field(global const Lattice* lattice, Triple p) 
     const float cx = floor(p.x), cy = floor(p.y), cz = floor(p.z);
     float v[8];
     for (int corner = 0; corner < 8; ++corner)
-        v[corner] =
-            lattice->repeats
-                ? 0.0f
-                : lattice->spread[0] * node_normal(lattice->key_a, lattice->key_b, 0U,
-                                                   (uint)((int)cx + (corner & 1)),
-                                                   (uint)((int)cy + ((corner >> 1) & 1)),
-                                                   (uint)((int)cz + (corner >> 2)));
+        v[corner] = lattice->repeats
+                        ? 0.0f
+                        : lattice->spread[0] * node_normal(lattice->key_a, lattice->key_b, 0U,
+                                                           (uint)((int)cx + (corner & 1)),
+                                                           (uint)((int)cy + ((corner >> 1) & 1)),
+                                                           (uint)((int)cz + (corner >> 2)));
     return trilinear(v, p.x - cx, p.y - cy, p.z - cz, 1.0f);
 }
 
@@ -334,6 +347,13 @@ static inline int is_stored(global const Lattice* lattice, Triple p) {
            (lattice->repeats || (floor(p.x) == 0.0f && floor(p.y) == 0.0f && floor(p.z) == 0.0f));
 }
 
+// The logarithm to base 2 of a normal number within 0.008, exact at powers of 2 and continuous.
+static inline float rough_log2(float v) {
+    const int bits = as_int(v);
+    const float t = as_float((bits & 0x7fffff) | 0x3f800000) - 1.0f;
+    return (float)((bits >> 23) - 127) + t + 0.3437f * t * (1.0f - t);
+}
+
 // The levels that a filter `width` wide leaves whole, and a share of the next: a real number. A
 // cell is whole that is 0.7 times as wide as the filter or wider, which comes nearest to means of
 // 4096 points (tried in steps of half a level).
@@ -341,7 +361,7 @@ static inline float resolved_level(global const Lattice* lattice, float width) {
     const float most = (float)lattice->finest;
     if (!(width > 0.0f))
         return most;
-    const float level = limited(0.5f - log2(width), 0.0f, most);
+    const float level = limited(0.5f - rough_log2(width), 0.0f, most);
     // Levels of the tile come and go whole: they are too weak for that to be seen.
     return level < (float)lattice->own ? level : floor(level + 0.5f);
 }
@@ -363,28 +383,30 @@ static inline Fluctuation fluctuation(global const Lattice* lattice, global cons
     p = within_reach(lattice, p);
     const int whole = (int)resolved;
     const float share = resolved - (float)whole;
+    const int stored = is_stored(lattice, p);
     Fluctuation sum;
     int done = 0;
-    if (is_stored(lattice, p)) {
+    float rest = share; // which is left to take: where not of the stored levels, of what follows
+    if (stored) {
         done = whole < lattice->levels ? whole : lattice->levels;
         sum = stored_field(lattice, nodes16, nodes32, done, p);
-        if (whole < lattice->levels && share > 0.0f) {
-            const Fluctuation finer = stored_field(lattice, nodes16, nodes32, done + 1, p);
-            sum.value = mixed(sum.value, finer.value, share);
-            sum.gradient =
-                plus(scaled(sum.gradient, 1.0f - share), scaled(finer.gradient, share));
+        if (whole < lattice->levels) {
+            rest = 0.0f;
+            if (share > 0.0f) {
+                const Fluctuation finer = stored_field(lattice, nodes16, nodes32, done + 1, p);
+                sum.value = mixed(sum.value, finer.value, share);
+                sum.gradient =
+                    plus(scaled(sum.gradient, 1.0f - share), scaled(finer.gradient, share));
+            }
         }
     } else {
         sum = corner_field(lattice, p);
     }
-    // What is not stored; where `share` was not of the stored levels, it is of what follows.
-    const float rest = done < lattice->levels && is_stored(lattice, p) ? 0.0f : share;
-    if (whole < lattice->own) {
-        add_levels(lattice, done + 1, whole, rest, p, &sum);
-    } else {
-        add_levels(lattice, done + 1, lattice->own, 0.0f, p, &sum);
+    const int own = whole < lattice->own;
+    if (done < (own ? whole : lattice->own) || (own && rest > 0.0f))
+        add_levels(lattice, done + 1, own ? whole : lattice->own, own ? rest : 0.0f, p, &sum);
+    if (!own)
         add_tile(lattice, nodes16, nodes32, whole, rest, p, &sum);
-    }
     // A level taken by a share a is taken for its mean over the filter, of variance a^2; the rest
     // of its variance lies within.
     const float next = whole < lattice->finest ? lattice->spread[whole + 1] : 0.0f;

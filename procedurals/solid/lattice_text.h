@@ -7,6 +7,8 @@
 #define LATTICE_TEXT_ON_HOST
 namespace scree::solid {
 #include "procedurals/solid/lattice.cl"
+
+#include "procedurals/solid/cell_vector.h"
 } // namespace scree::solid
 #undef LATTICE_TEXT_ON_HOST
 #undef global

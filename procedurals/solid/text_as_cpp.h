@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 // A function compiled twice, the second time for processors with AVX2, with all that it calls, and
 // chosen when the program starts. Nothing is fused or reordered: both give the same bits.

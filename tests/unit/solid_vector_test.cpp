@@ -54,6 +54,33 @@ TEST(SolidVector, LatticesAreTheSameBitForBitOnAllPaths) {
                 }
 }
 
+TEST(SolidVector, CellsAreTheSameBitForBit) {
+    constexpr int side = 9;
+    std::vector<short> nodes16(side * side * side);
+    std::vector<float> nodes32(nodes16.size());
+    Random random(12, Purpose::test);
+    for (std::size_t i = 0; i < nodes16.size(); ++i) {
+        nodes16[i] = static_cast<short>(int(random.below(65535)) - 32767);
+        nodes32[i] = float(random.uniform(-5, 5));
+    }
+    for (int i = 0; i < 2000; ++i) {
+        const int stride = 1 << random.below(3), most = (side - 1) / stride;
+        int first = 0;
+        for (int k = 0; k < 3; ++k)
+            first = first * side + stride * int(random.below(std::uint32_t(most)));
+        const solid::Triple in{random.uniform_float(), random.uniform_float(),
+                               random.uniform_float()};
+        for (const float step : {1.3e-4F, 0.0F}) {
+            const solid::Fluctuation one = solid::cell_field(nodes16.data(), nodes32.data(), first,
+                                                             stride, side, step, in, 8),
+                                     other = solid::cell_field_plainly(nodes16.data(),
+                                                                       nodes32.data(), first,
+                                                                       stride, side, step, in, 8);
+            EXPECT_EQ(std::memcmp(&one, &other, sizeof one), 0) << i << " " << step;
+        }
+    }
+}
+
 TEST(SolidVector, LevelsOnDemandAreTheSameBitForBitOnAllPaths) {
     // Also far from the first cube, and where the filter takes a share of a level.
     for (const bool repeats : {true, false}) {
