@@ -153,8 +153,9 @@ class SolidAdder {
             };
             for (int z = first(2); z <= last(2); ++z)
                 for (int y = first(1); y <= last(1); ++y)
-                    triangle.lower_row(corner + Vec3d(0, y, z),
-                                       &values[std::size_t(DistanceField::sample(0, y, z))]);
+                    for (int x = first(0) & ~3; x <= last(0); x += 4)
+                        triangle.lower_four(corner + Vec3d(x, y, z), float(reach_),
+                                            &values[std::size_t(DistanceField::sample(x, y, z))]);
         }
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x)

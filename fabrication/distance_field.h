@@ -39,8 +39,8 @@ class DistanceField {
         const Values* values = nullptr;
     };
 
-    /// Distances are cut off at -inner and outer, at least 2 each. No more than `most_blocks` may
-    /// hold values.
+    /// Distances are cut off at -inner and outer, at least 1.75 each, more than the diagonal of a
+    /// cell. No more than `most_blocks` may hold values.
     DistanceField(float inner, float outer, std::size_t most_blocks)
         : inner_(inner), outer_(outer), most_blocks_(most_blocks) {}
 

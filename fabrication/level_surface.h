@@ -23,8 +23,8 @@ struct LevelSurface {
 /// The surface where the field has the value `level`, outward normals towards higher values. It is
 /// a closed 2-manifold that does not meet itself, whatever the field: a vertex per crossed edge of
 /// the lattice, never nearer to its ends than a fiftieth, and in each cell the triangles of
-/// cell_surface. The level is at least 2 within the field's limits, or 0. Throws Error (resource)
-/// for more vertices than 32 bits count.
+/// cell_surface. The level is at least 1.75 within the field's limits, or 0. Throws Error
+/// (resource) for more vertices than 32 bits count.
 LevelSurface level_surface(const DistanceField& field, double level);
 
 } // namespace scree

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/float4.h"
 #include "core/math.h"
 
-#include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace scree {
 
@@ -33,32 +34,52 @@ class TriangleDistance {
         return std::sqrt(double(squared(v.x, v.y, v.z)));
     }
 
-    /// Lowers each of squared[0..7] to the squared distance of p, p + (1, 0, 0), ... p + (7, 0, 0).
-    void lower_row(const Imath::V3d& p, float* lowest) const {
+    /// Lowers each of lowest[0..3] to the squared distance of p, p + (1, 0, 0), ... p + (3, 0, 0),
+    /// unless the triangle's plane is farther than `reach` from all of them.
+    void lower_four(const Imath::V3d& p, float reach, float* lowest) const {
         const Vec3 v(p - first_);
-        for (int i = 0; i < 8; ++i)
-            lowest[i] = std::min(lowest[i], squared(v.x + float(i), v.y, v.z));
+        const float from = v.dot(plane_), to = from + 3 * plane_.x;
+        if (smaller(from, to) > reach || larger(from, to) < -reach)
+            return;
+        const Float4 made = squared(v.x + Float4{0, 1, 2, 3}, Float4{} + v.y, Float4{} + v.z);
+        Float4 held;
+        std::memcpy(&held, lowest, sizeof held);
+        held = smaller(held, made);
+        std::memcpy(lowest, &held, sizeof held);
     }
 
   private:
-    // Without branches, so that compilers make vectors of it.
-    float squared(float x, float y, float z) const {
-        const float plane = x * plane_.x + y * plane_.y + z * plane_.z;
-        const float s0 = x * inward_[0].x + y * inward_[0].y + z * inward_[0].z;
-        const float x1 = x - second_.x, y1 = y - second_.y, z1 = z - second_.z;
-        const float s1 = x1 * inward_[1].x + y1 * inward_[1].y + z1 * inward_[1].z;
-        const float s2 = x * inward_[2].x + y * inward_[2].y + z * inward_[2].z;
-        const float x2 = x - third_.x, y2 = y - third_.y, z2 = z - third_.z;
-        const float edges =
-            std::min({to_side(0, x, y, z), to_side(1, x1, y1, z1), to_side(2, x2, y2, z2)});
-        // A triangle without area has no normal, and none of this is positive.
-        return std::min({s0, s1, s2}) > 0 ? plane * plane : edges;
+    template <class Number>
+    static Number smaller(const Number& a, const Number& b) {
+        return a < b ? a : b;
+    }
+    template <class Number>
+    static Number larger(const Number& a, const Number& b) {
+        return a > b ? a : b;
     }
 
-    float to_side(std::size_t k, float x, float y, float z) const {
+    template <class Number>
+    Number squared(const Number& x, const Number& y, const Number& z) const {
+        const Number plane = x * plane_.x + y * plane_.y + z * plane_.z;
+        const Number s0 = x * inward_[0].x + y * inward_[0].y + z * inward_[0].z;
+        const Number x1 = x - second_.x, y1 = y - second_.y, z1 = z - second_.z;
+        const Number s1 = x1 * inward_[1].x + y1 * inward_[1].y + z1 * inward_[1].z;
+        const Number s2 = x * inward_[2].x + y * inward_[2].y + z * inward_[2].z;
+        const Number x2 = x - third_.x, y2 = y - third_.y, z2 = z - third_.z;
+        const Number edges =
+            smaller(smaller(to_side(0, x, y, z), to_side(1, x1, y1, z1)), to_side(2, x2, y2, z2));
+        // A triangle without area has no normal, and none of these is positive.
+        const Number inside = smaller(smaller(s0, s1), s2);
+        const Number flat = plane * plane;
+        return inside > Number{} ? flat : edges;
+    }
+
+    template <class Number>
+    Number to_side(std::size_t k, const Number& x, const Number& y, const Number& z) const {
         const Vec3& d = along_[k];
-        const float t = std::clamp((x * d.x + y * d.y + z * d.z) * inverse_[k], 0.0F, 1.0F);
-        const float u = x - t * d.x, v = y - t * d.y, w = z - t * d.z;
+        const Number at = (x * d.x + y * d.y + z * d.z) * inverse_[k];
+        const Number t = smaller(larger(at, Number{}), Number{} + 1);
+        const Number u = x - t * d.x, v = y - t * d.y, w = z - t * d.z;
         return u * u + v * v + w * w;
     }
 

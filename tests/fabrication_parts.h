@@ -30,7 +30,7 @@ inline Instance instance(std::uint32_t prototype, const Matrix& matrix) {
 }
 
 /// A ball of 10 mm; its component stands on the ground, so its middle is at (0, 10 mm, 0).
-inline Prototype ball() { return component("sphere", {{"radius", 0.01}, {"segments", 96.0}}); }
+inline Prototype ball() { return component("sphere", {{"radius", 0.01}, {"segments", std::int64_t{96}}}); }
 
 inline Aggregate aggregate_of(std::vector<Prototype> prototypes, std::vector<Instance> instances) {
     Aggregate out;
@@ -44,7 +44,7 @@ inline Aggregate aggregate_of(std::vector<Prototype> prototypes, std::vector<Ins
 /// none.
 inline Aggregate closed_room() {
     const Prototype wall = component("box", {{"width", 0.02}, {"height", 0.002}, {"depth", 0.02}});
-    const Prototype ball = component("sphere", {{"radius", 0.004}, {"segments", 48.0}});
+    const Prototype ball = component("sphere", {{"radius", 0.004}, {"segments", std::int64_t{48}}});
     std::vector<Instance> instances;
     const float turn = pi_f / 2;
     for (const float to : {0.0F, 0.018F}) {

@@ -107,7 +107,7 @@ const std::vector<Door>& doors() {
         {"OpenVDB", "^openvdb/", {"formats/write_vdb.cpp", "tests/unit/texture_test.cpp"}},
         {"lib3mf",
          "^(Model|Common)/.*NMR_",
-         {"formats/write_3mf.cpp", "tests/unit/print_file_test.cpp"}},
+         {"formats/write_3mf.cpp", "tests/unit/fabrication_test.cpp"}},
         {"Lua", "^(lua|lauxlib|lualib)\\.h(pp)?$", {"scenes/reader/"}},
         {"tinyobjloader", "^tiny_obj_loader", {"formats/read_obj.cpp"}},
         {"tinygltf", "^tiny_gltf", {"formats/read_gltf.cpp"}},
