@@ -51,12 +51,15 @@ std::string channel_word(TextureChannel channel) {
     }
 }
 
-/// As an 8-bit file holds it: colours display-encoded, numbers as they are.
-Image png_image(Image image, TextureChannel channel) {
-    if (channel == TextureChannel::color)
-        for (float& v : image.pixels)
-            v = display_from_linear(std::clamp(v, 0.0F, 1.0F));
-    return image;
+/// 8-bit files hold colours display-encoded, and numbers as they are, marked as such.
+void write_texture_png(const std::string& path, Image image, TextureChannel channel) {
+    if (channel != TextureChannel::color) {
+        write_png(path, image, {{"oiio:ColorSpace", "raw"}});
+        return;
+    }
+    for (float& v : image.pixels)
+        v = display_from_linear(std::clamp(v, 0.0F, 1.0F));
+    write_png(path, image);
 }
 
 // Whether a channel of every pixel is `value`.
@@ -141,7 +144,7 @@ void bake_uv(TextureJob& job) {
                  {"overlapped", double(raster.overlapped())}};
     job.stages.begin("write");
     if (job.request.ending == "png") {
-        write_png(job.options.output, png_image(std::move(image), job.request.channel));
+        write_texture_png(job.options.output, std::move(image), job.request.channel);
     } else if (job.request.channel == TextureChannel::height) {
         write_displacement(job, std::move(image));
     } else {
@@ -166,7 +169,7 @@ void write_slices(TextureJob& job, const SliceStack& stack, std::vector<Image> i
     job.facts = {{"width", stack.width}, {"height", stack.height}, {"slices", stack.count}};
     job.stages.begin("write");
     if (job.request.ending == "png") {
-        write_png(job.options.output, png_image(contact_sheet(images), job.request.channel));
+        write_texture_png(job.options.output, contact_sheet(images), job.request.channel);
         return;
     }
     std::vector<ImagePart> parts;

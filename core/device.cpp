@@ -350,7 +350,8 @@ void Device::read(const BufferHandle& buffer, void* data, std::size_t bytes) {
 }
 
 void Device::run(const std::string& source, const std::string& kernel,
-                 std::span<const std::size_t> global_size, std::span<const Argument> arguments) {
+                 std::span<const std::size_t> global_size, std::span<const Argument> arguments,
+                 std::span<const std::size_t> groups) {
     state_->open();
     const cl_kernel compiled = state_->kernel(source, kernel);
     for (cl_uint i = 0; i < arguments.size(); ++i) {
@@ -370,7 +371,8 @@ void Device::run(const std::string& source, const std::string& kernel,
                                               i, kernel, status));
     }
     check(clEnqueueNDRangeKernel(state_->queue, compiled, static_cast<cl_uint>(global_size.size()),
-                                 nullptr, global_size.data(), nullptr, 0, nullptr, nullptr),
+                                 nullptr, global_size.data(),
+                                 groups.empty() ? nullptr : groups.data(), 0, nullptr, nullptr),
           ("starting kernel " + kernel).c_str());
     check(clFinish(state_->queue), ("running kernel " + kernel).c_str());
 }

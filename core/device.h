@@ -41,9 +41,12 @@ class Device {
 
     /// Runs `kernel` of `source` over a 1-D or 2-D range and waits. `source` is OpenCL C 1.2,
     /// compiled once, without contraction of a * b + c; the Error for one that does not compile
-    /// holds the compiler's log.
+    /// holds the compiler's log. Without a size of `groups` the device chooses one: the whole
+    /// range, perhaps, whose private arrays lie on one thread's stack with PoCL. The range must be
+    /// a multiple of it.
     void run(const std::string& source, const std::string& kernel,
-             std::span<const std::size_t> global_size, std::span<const Argument> arguments);
+             std::span<const std::size_t> global_size, std::span<const Argument> arguments,
+             std::span<const std::size_t> groups = {});
 
   private:
     struct State;

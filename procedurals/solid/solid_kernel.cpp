@@ -14,6 +14,9 @@ namespace {
 // Points at a time: some tens of megabytes on the device.
 constexpr std::size_t batch = std::size_t(1) << 18;
 
+// Some textures keep lists of cells: small groups, which CPU devices lay on one thread's stack.
+constexpr std::size_t group = 64;
+
 std::string program(const SolidKernel& kernel) {
     const std::string settings = kernel.settings_type;
     return std::string(lattice_source) + solid_source + kernel.source +
@@ -21,8 +24,10 @@ std::string program(const SolidKernel& kernel) {
            "    global const " +
            settings +
            "* settings, global const Lattice* lattice,\n"
-           "    global const short* nodes16, global const float* nodes32) {\n"
+           "    global const short* nodes16, global const float* nodes32, uint count) {\n"
            "    const size_t i = get_global_id(0);\n"
+           "    if (i >= count)\n"
+           "        return;\n"
            "    Field field;\n"
            "    field.lattice = lattice;\n"
            "    field.nodes16 = nodes16;\n"
@@ -54,7 +59,6 @@ void run_solid_kernel(Device& device, const SolidKernel& kernel,
     const std::size_t most = std::min(batch, points.size());
     const Device::BufferHandle in = device.allocate(most * sizeof(solid::SolidPoint));
     const Device::BufferHandle out = device.allocate(most * sizeof(solid::SolidSample));
-    const Device::Argument arguments[] = {in, out, settings_buffer, header, nodes16, nodes32};
     std::vector<solid::SolidPoint> sent(most);
     std::vector<solid::SolidSample> found(most);
     for (std::size_t first = 0; first < points.size(); first += batch) {
@@ -62,7 +66,10 @@ void run_solid_kernel(Device& device, const SolidKernel& kernel,
         std::transform(points.begin() + std::ptrdiff_t(first),
                        points.begin() + std::ptrdiff_t(first + count), sent.begin(), solid_point);
         device.write(in, sent.data(), count * sizeof(solid::SolidPoint));
-        device.run(source, "scree_bake", {&count, 1}, arguments);
+        const std::size_t range = (count + group - 1) / group * group;
+        const Device::Argument arguments[] = {
+            in, out, settings_buffer, header, nodes16, nodes32, static_cast<std::uint32_t>(count)};
+        device.run(source, "scree_bake", {&range, 1}, arguments, {&group, 1});
         device.read(out, found.data(), count * sizeof(solid::SolidSample));
         std::transform(found.begin(), found.begin() + std::ptrdiff_t(count),
                        samples.begin() + std::ptrdiff_t(first), shading_sample);
