@@ -3,6 +3,7 @@
 
 #include "generators/pile/triangle_distance.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace scree {
@@ -26,7 +27,32 @@ Vec3 direction(int i, int count, int round) {
             static_cast<float>(r * std::sin(turn))};
 }
 
+// By the solid angle that the triangles fill seen from p (van Oosterom & Strackee 1983).
+bool encloses(const Mesh& mesh, const Imath::V3d& p) {
+    double angle = 0;
+    for (const Mesh::Triangle& t : mesh.triangles) {
+        const Imath::V3d a = Imath::V3d(mesh.positions[t[0]]) - p;
+        const Imath::V3d b = Imath::V3d(mesh.positions[t[1]]) - p;
+        const Imath::V3d c = Imath::V3d(mesh.positions[t[2]]) - p;
+        const double la = a.length();
+        const double lb = b.length();
+        const double lc = c.length();
+        angle += 2 * std::atan2(a.dot(b.cross(c)),
+                                la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+    return std::abs(angle) > 2 * pi;
+}
+
 } // namespace
+
+Ball largest_inside(const Mesh& mesh, std::vector<Ball> balls) {
+    std::sort(balls.begin(), balls.end(),
+              [](const Ball& a, const Ball& b) { return a.radius > b.radius; });
+    for (const Ball& ball : balls)
+        if (encloses(mesh, Imath::V3d(ball.centre)))
+            return ball;
+    return {};
+}
 
 Ball climb_to_largest(const Mesh& mesh, const Ball& start) {
     // No more than twice the start's radius is ever climbed to, from less than that away.

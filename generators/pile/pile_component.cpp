@@ -51,11 +51,11 @@ std::vector<Ball> poles_of(const SurfacePoints& points, bool inside_out) {
     return inner_poles(points.positions, turned);
 }
 
-Ball largest(std::span<const Ball> balls) {
-    if (balls.empty())
+Ball largest_ball(const Mesh& mesh, const std::vector<Ball>& poles) {
+    const Ball start = largest_inside(mesh, poles);
+    if (!(start.radius > 0))
         throw Error("the mesh encloses nothing");
-    return *std::max_element(balls.begin(), balls.end(),
-                             [](const Ball& a, const Ball& b) { return a.radius < b.radius; });
+    return climb_to_largest(mesh, start);
 }
 
 Mesh moved(const Mesh& mesh, const Vec3& origin) {
@@ -115,13 +115,13 @@ void prepare_solid(PileComponent& component) {
     double spacing = spacing_for(mesh, sample_count);
     SurfacePoints points = surface_points(mesh, spacing);
     std::vector<Ball> poles = poles_of(points, inside_out);
-    Ball ball = climb_to_largest(mesh, largest(poles));
+    Ball ball = largest_ball(mesh, poles);
     if (spacing > most_sample_spacing * double(ball.radius)) {
         spacing =
             std::max(most_sample_spacing * double(ball.radius), spacing_for(mesh, most_samples));
         points = surface_points(mesh, spacing);
         poles = poles_of(points, inside_out);
-        ball = climb_to_largest(mesh, largest(poles));
+        ball = largest_ball(mesh, poles);
     }
     component.radius = double(ball.radius);
     component.distribution_radius = component.radius / 2;

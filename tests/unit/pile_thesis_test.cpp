@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/random.h"
+#include "generators/pile/dependency_levels.h"
+#include "generators/pile/golden_section.h"
+#include "generators/pile/thesis_method.h"
+#include "tests/unit/pile_test_tools.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace scree {
+namespace {
+
+Mesh cube(double size) {
+    return tests::component_mesh(
+        "box", {{"width", size}, {"height", size}, {"depth", size}, {"rounding", 0.0}});
+}
+
+PileKind kind_of(const Mesh& mesh, double spacing, double refine) {
+    return {.component = tests::prepared(mesh),
+            .weight = 1,
+            .spacing = spacing,
+            .refine = refine,
+            .rotation = Vec3(2 * pi_f)};
+}
+
+TEST(PileThesis, GoldenSectionFindsTheOnlyMinimum) {
+    for (const double at : {0.0, 0.123, 0.5, 0.987, 1.0}) {
+        const auto cost = [at](double t) { return std::abs(t - at); };
+        // 15 steps leave 0.618^15 of the range.
+        EXPECT_NEAR(golden_section(cost, 0, 1, 15), at, 1e-3);
+    }
+}
+
+TEST(PileThesis, GoldenSectionOfAJumpIsNoWorseThanEnds) {
+    // As eq. 4.1: dear while there is overlap, then as dear as far.
+    const auto cost = [](double t) { return (t < 0.3 ? 1.3 - t : 0) + t; };
+    const double found = golden_section(cost, 0, 1, 15);
+    EXPECT_GE(found, 0.3);
+    EXPECT_NEAR(found, 0.3, 1e-3);
+}
+
+TEST(PileThesis, LevelsKeepOrder) {
+    constexpr std::uint32_t count = 200;
+    std::vector<std::vector<std::uint32_t>> neighbours(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (std::uint32_t j = 0; j < i; ++j)
+            if (Random(1, Purpose::test, i * count + j).uniform() < 0.03) {
+                neighbours[i].push_back(j);
+                neighbours[j].push_back(i);
+            }
+    std::vector<std::size_t> level(count, count);
+    const auto levels = dependency_levels(neighbours);
+    std::size_t all = 0;
+    for (std::size_t l = 0; l < levels.size(); ++l)
+        for (const std::uint32_t i : levels[l]) {
+            level[i] = l;
+            ++all;
+        }
+    EXPECT_EQ(all, count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (const std::uint32_t j : neighbours[i])
+            EXPECT_TRUE(j < i ? level[j] < level[i] : level[i] < level[j]);
+}
+
+// Eq. 4.1 and 4.2 in their plainest form: all vertices, all balls, one component after the other.
+struct Plain {
+    std::span<const PileKind> kinds;
+    std::span<const PileSite> sites;
+    std::vector<double> heights;
+    std::vector<bool> gone;
+    double overlap;
+
+    double f(std::size_t i, double t) const {
+        const PileComponent& own = kinds[sites[i].kind].component;
+        double most = 0;
+        const Pose pose = sites[i].at(t).pose;
+        for (const Vec3& vertex : own.prototype.mesh->positions) {
+            const Imath::V3d x =
+                Imath::V3d((vertex - own.origin) * pose.world_from_component) + pose.centre;
+            for (std::size_t j = 0; j < sites.size(); ++j) {
+                if (j == i || gone[j])
+                    continue;
+                const Pose other = sites[j].at(heights[j]).pose;
+                for (const Ball& ball : kinds[sites[j].kind].component.balls) {
+                    const Imath::V3d p =
+                        Imath::V3d(ball.centre * other.world_from_component) + other.centre;
+                    most = std::max(most, double(ball.radius) - (x - p).length());
+                }
+            }
+        }
+        return most - overlap * own.radius;
+    }
+
+    void refine(std::size_t i) {
+        const double range = kinds[sites[i].kind].range();
+        const auto cost = [&](double t) {
+            const double h = f(i, t);
+            return (h > 0 ? h + range : 0) + t;
+        };
+        heights[i] = golden_section(cost, 0, range, 15);
+    }
+};
+
+TEST(PileThesis, RefinesAsTheEquationsSay) {
+    const std::vector<PileKind> kinds{kind_of(cube(0.004), 1.2, 2)};
+    const Mesh target = tests::component_mesh("sphere", {{"radius", 0.006}});
+    const PileTurns turns{.kinds = kinds, .frame = PileFrame::surface, .seed = 1};
+    const std::vector<PileSite> sites = pile_sites(target, turns, {});
+    ASSERT_GT(sites.size(), 10U);
+    for (const double overlap : {0.0, 0.2}) {
+        Plain plain{kinds, sites, std::vector<double>(sites.size(), 0.0),
+                    std::vector<bool>(sites.size(), false), overlap};
+        for (std::size_t i = 0; i < sites.size(); ++i)
+            plain.refine(i);
+        Pile pile(kinds);
+        place_by_thesis(pile, sites, {.overlap = overlap, .removal = {}}, {});
+        ASSERT_EQ(pile.all.size(), sites.size());
+        for (std::size_t i = 0; i < sites.size(); ++i)
+            EXPECT_NEAR(pile.all[i].height, plain.heights[i], 1e-3 * kinds[0].range());
+
+        // Removal, in the same order.
+        for (std::size_t i = 0; i < sites.size(); ++i)
+            plain.gone[i] = plain.f(i, plain.heights[i]) > 0.1 * kinds[0].component.radius;
+        Pile rest(kinds);
+        place_by_thesis(rest, sites, {.overlap = overlap, .removal = 0.1}, {});
+        const auto left =
+            static_cast<std::size_t>(std::count(plain.gone.begin(), plain.gone.end(), false));
+        EXPECT_EQ(rest.all.size(), left);
+        EXPECT_LT(left, sites.size());
+        EXPECT_GT(left, 0U);
+    }
+}
+
+TEST(PileThesis, SmallOnesNextToLargeOnesGo) {
+    const std::vector<PileKind> kinds{kind_of(cube(0.002), 1, 2), kind_of(cube(0.01), 2, 1)};
+    const Mesh target = tests::component_mesh("sphere", {{"radius", 0.03}});
+    const PileTurns turns{.kinds = kinds, .frame = PileFrame::surface, .seed = 2};
+    const std::vector<PileSite> sites = pile_sites(target, turns, {});
+    std::vector<Imath::V3d> expected;
+    for (const PileSite& site : sites) {
+        bool near = false;
+        for (const PileSite& large : sites)
+            near = near ||
+                   (site.kind == 0 && large.kind == 1 &&
+                    (site.position - large.position).length() <= kinds[1].distribution_radius());
+        if (!near)
+            expected.push_back(site.position);
+    }
+    const std::vector<PileSite> merged = merge_large_to_small(kinds, sites);
+    ASSERT_EQ(merged.size(), expected.size());
+    EXPECT_LT(merged.size(), sites.size());
+    for (std::size_t i = 0; i < merged.size(); ++i)
+        EXPECT_EQ(merged[i].position, expected[i]);
+}
+
+TEST(PileThesis, SitesKeepTwoRadiiApart) {
+    const std::vector<PileKind> kinds{kind_of(cube(0.004), 1, 2)};
+    const Mesh target = tests::component_mesh("sphere", {{"radius", 0.02}});
+    const PileTurns turns{.kinds = kinds, .frame = PileFrame::surface, .seed = 3};
+    const std::vector<PileSite> sites = pile_sites(target, turns, {});
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_GE((sites[i].position - sites[j].position).length(),
+                      kinds[0].component.radius * (1 - 1e-9)); // 2 r = R
+}
+
+TEST(PileThesis, LeavesWhatItsMeasureDoesNotSee) {
+    Params params = tests::pile_params(tests::component_mesh("sphere", {{"radius", 0.005}}),
+                                       {tests::pile_component(tests::component_mesh("rice", {}))});
+    params.set("method", std::string("thesis"));
+    params.set("spacing", 1.8);
+    const Aggregate pile = pile_plugin().make(params, {});
+    EXPECT_GT(tests::fact(pile, "volume_overlap"), 0.1);
+}
+
+} // namespace
+} // namespace scree
