@@ -58,6 +58,7 @@ Plugin<MakeMesh> letter_component();
 Plugin<MakeMesh> text_component();
 
 Plugin<MakeMesh> sheet_component();
+Plugin<MakeMesh> extrude_component();
 
 Plugin<MakeMesh> jack_component();
 Plugin<MakeMesh> duck_component();

@@ -94,6 +94,31 @@ TEST(Components, SheetsOfAnyOutlineBendAndStayClosed) {
     }
 }
 
+TEST(Components, ExtrudeKeepsAreaAndStandsUp) {
+    // An L: its leg reaches to the far side (-z) on the left.
+    const auto outline = std::make_shared<const Region>(
+        triangulate({{{0, 0}, {0.03, 0}, {0.03, 0.01}, {0.01, 0.01}, {0.01, 0.04}, {0, 0.04}}}));
+    for (const bool upright : {false, true}) {
+        const Mesh mesh =
+            make("extrude", {{"outline", outline}, {"height", 0.005}, {"upright", upright}});
+        expect_sound(mesh, "extrude");
+        EXPECT_NEAR(volume(mesh), 0.0006 * 0.005, 1e-12);
+        const Vec3 size = bounds(mesh).size();
+        EXPECT_NEAR(upright ? size.y : size.z, 0.04F, 1e-7F);
+        EXPECT_NEAR(upright ? size.z : size.y, 0.005F, 1e-7F);
+        // The narrow end is at the near side (+z), or down.
+        float narrow = -1;
+        for (const Vec3& p : mesh.positions)
+            if (upright ? p.y < 0.001F : p.z > 0.019F)
+                narrow = std::max(narrow, p.x);
+        EXPECT_NEAR(narrow, -0.005F, 1e-6F);
+    }
+    const auto star = std::make_shared<const Region>(triangulate(
+        {{{0.02, 0}, {0.005, 0.005}, {0, 0.02}, {-0.005, 0.005}, {-0.02, 0}, {0, -0.01}}}));
+    expect_sound(make("extrude", {{"outline", star}, {"height", 0.01}, {"rounding", 0.004}}),
+                 "rounded");
+}
+
 TEST(Components, AreSoundAtTheirDefaults) {
     const auto table = component_table();
     EXPECT_GE(table.plugins().size(), 20U);
