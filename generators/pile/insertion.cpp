@@ -9,8 +9,12 @@ namespace scree {
 
 namespace {
 
-double limit_of(const PileKind& kind, double level) {
-    return std::min(kind.range(), level * kind.component.radius);
+double highest(const PileKind& kind, const InsertionSettings& settings) {
+    return std::min(kind.range(), settings.ceiling);
+}
+
+double limit_of(const PileKind& kind, double level, const InsertionSettings& settings) {
+    return std::min(highest(kind, settings), level * kind.component.radius);
 }
 
 /// Candidates that are advanced at the same time against what is placed before them, and then in
@@ -18,9 +22,10 @@ double limit_of(const PileKind& kind, double level) {
 /// of the number of threads, since the outcome depends on it in the last digits.
 std::size_t batch_size(std::size_t count) { return std::clamp<std::size_t>(count / 64, 64, 4096); }
 
-void move_on(const Pile& pile, InsertionCandidate& candidate, double level, double overlap) {
-    const double limit = limit_of(pile.kinds[candidate.site.kind], level);
-    const Advance moved = advance(pile, candidate.site, candidate.height, limit, overlap);
+void move_on(const Pile& pile, InsertionCandidate& candidate, double level,
+             const InsertionSettings& settings) {
+    const double limit = limit_of(pile.kinds[candidate.site.kind], level, settings);
+    const Advance moved = advance(pile, candidate.site, candidate.height, limit, settings.overlap);
     candidate.height = moved.height;
     candidate.placed = moved.free;
 }
@@ -36,15 +41,16 @@ bool blocked_by_newer(const Pile& pile, const InsertionCandidate& candidate, std
     return blocked;
 }
 
-void insert_batch(double level, Pile& pile, std::span<InsertionCandidate> batch, double overlap) {
+void insert_batch(double level, Pile& pile, std::span<InsertionCandidate> batch,
+                  const InsertionSettings& settings) {
     const std::size_t first = pile.all.size();
     parallel_for(batch.size(), 1, [&](std::size_t i) {
-        if (batch[i].height <= limit_of(pile.kinds[batch[i].site.kind], level))
-            move_on(pile, batch[i], level, overlap);
+        if (batch[i].height <= limit_of(pile.kinds[batch[i].site.kind], level, settings))
+            move_on(pile, batch[i], level, settings);
     });
     for (InsertionCandidate& candidate : batch) {
-        if (candidate.placed && blocked_by_newer(pile, candidate, first, overlap))
-            move_on(pile, candidate, level, overlap);
+        if (candidate.placed && blocked_by_newer(pile, candidate, first, settings.overlap))
+            move_on(pile, candidate, level, settings);
         if (candidate.placed)
             pile.add(candidate.site.at(candidate.height));
     }
@@ -72,10 +78,11 @@ void insert_up_to(double level, Pile& pile, std::vector<InsertionCandidate>& can
         insert_batch(
             level, pile,
             std::span(candidates).subspan(first, std::min(size, candidates.size() - first)),
-            settings.overlap);
+            settings);
     }
     std::erase_if(candidates, [&](const InsertionCandidate& candidate) {
-        return candidate.placed || candidate.height > pile.kinds[candidate.site.kind].range();
+        return candidate.placed ||
+               candidate.height > highest(pile.kinds[candidate.site.kind], settings);
     });
 }
 

@@ -10,6 +10,7 @@ namespace scree {
 struct InsertionSettings {
     double overlap = 0; // T, in radii of the largest inner ball
     double sink = 0;    // how deep below the surface they begin, in such radii
+    double ceiling = std::numeric_limits<double>::max(); // how far above it they may get [m]
 };
 
 /// A site whose component is blocked below `height` [m].

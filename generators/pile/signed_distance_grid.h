@@ -30,6 +30,10 @@ class SignedDistanceGrid {
 
     double step() const { return grid_.side; }
 
+    /// The cubes at whose centres the samples lie.
+    const VoxelGrid& grid() const { return grid_; }
+    const std::vector<float>& samples() const { return values_; }
+
   private:
     VoxelGrid grid_;
     Vec3 first_; // sample

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "generators/pile/fill_solid.h"
+
+#include "core/parallel.h"
+#include "core/random.h"
+#include "generators/pile/cover_target.h"
+#include "generators/pile/offset_shells.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace scree {
+
+namespace {
+
+// Of shells, in distances between sites: TUNE
+constexpr double shells_apart = 0.5;
+constexpr double samples_apart = 0.25; // in shells' distances
+constexpr std::size_t measuring_points = 32768;
+
+} // namespace
+
+double shell_spacing(std::span<const PileKind> kinds) {
+    double least = std::numeric_limits<double>::max();
+    for (const PileKind& kind : kinds)
+        least = std::min(least, 2 * kind.distribution_radius());
+    return shells_apart * least;
+}
+
+std::size_t fill_solid(Pile& pile, const Mesh& target, const PileTurns& turns,
+                       std::vector<PileSite> sites, const SolidFill& fill,
+                       const InsertionSettings& settings, const Context& context) {
+    const double spacing = shell_spacing(turns.kinds);
+    const SignedDistanceGrid solid(target, samples_apart * spacing);
+    const std::vector<OffsetShell> shells = offset_shells(solid, spacing, fill.shells - 1);
+    std::size_t tried = 0;
+    for (std::size_t i = shells.size(); i-- > 0;) {
+        PileTurns own = turns;
+        own.seed = turns.seed + (i + 1) * 0x9e3779b97f4a7c15ULL;
+        InsertionSettings below = settings;
+        below.ceiling = shells[i].depth;
+        const Mesh& surface = shells[i].surface;
+        tried += pile_up(pile, surface, own, pile_sites(surface, own, context), below, 0, context);
+    }
+    return tried + pile_up(pile, target, turns, std::move(sites), settings, fill.cover, context);
+}
+
+double filled_share(const Pile& pile, const Mesh& target, std::uint64_t seed) {
+    const Box3 box = bounds(target);
+    const SignedDistanceGrid solid(target, double(box.size().length()) / 200);
+    std::vector<std::array<std::uint8_t, 2>> hits(
+        measuring_points); // in the target, in a component
+    parallel_for(measuring_points, 64, [&](std::size_t i) {
+        Random random(seed, Purpose::pile_inside, i);
+        Vec3 p = box.min;
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] += box.size()[axis] * random.uniform_float();
+        if (solid.at(p) >= 0)
+            return;
+        hits[i][0] = 1;
+        pile.hash.near(Imath::V3d(p), 0, [&](std::uint32_t index) {
+            const Placed& placed = pile.all[index];
+            const Vec3 own = Vec3(Imath::V3d(p) - placed.pose.centre) *
+                             placed.pose.world_from_component.transposed();
+            if (hits[i][1] == 0 && pile.component(placed).distance.at(own) < 0)
+                hits[i][1] = 1;
+        });
+    });
+    double inside = 0;
+    double filled = 0;
+    for (const auto& hit : hits) {
+        inside += hit[0];
+        filled += hit[1];
+    }
+    return inside > 0 ? filled / inside : 0;
+}
+
+} // namespace scree
