@@ -43,6 +43,8 @@ enum class Purpose : std::uint32_t {
     pile_turn = 61,
     pile_ray = 62,
     pile_inside = 63,
+    pile_shape = 66,
+    pile_choice = 67,
 };
 
 /// A stream of uniform numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et al.

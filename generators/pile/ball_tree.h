@@ -31,6 +31,10 @@ class BallTree {
     float depth_where(const Distance& distance, float floor,
                       float enough = std::numeric_limits<float>::max()) const;
 
+    /// Calls found(centre) for all balls that come within `gap` of what is at `distance`, likewise.
+    template <class Distance, class Found>
+    void each_within(const Distance& distance, float gap, const Found& found) const;
+
     /// All balls, in the tree's order.
     const std::vector<Ball>& balls() const { return balls_; }
 
@@ -79,6 +83,29 @@ float BallTree::depth_where(const Distance& distance, float floor, float enough)
             open[count++] = near;
     }
     return deepest;
+}
+
+template <class Distance, class Found>
+void BallTree::each_within(const Distance& distance, float gap, const Found& found) const {
+    const auto is_within = [&](const Ball& ball) {
+        return distance(ball.centre) - ball.radius < gap;
+    };
+    std::array<std::uint32_t, 64> open; // one a level, and the tree is balanced
+    std::size_t count = 0;
+    if (!nodes_.empty())
+        open[count++] = 0;
+    while (count > 0) {
+        const Node& node = nodes_[open[--count]];
+        if (!is_within(node.hull))
+            continue;
+        for (std::uint32_t b = node.first; b < node.first + node.count; ++b)
+            if (is_within(balls_[b]))
+                found(balls_[b].centre);
+        if (node.count == 0) {
+            open[count++] = node.first;
+            open[count++] = node.first + 1;
+        }
+    }
 }
 
 } // namespace scree

@@ -96,6 +96,7 @@ void prepare_sheet(PileComponent& component, double thickness) {
     const Mesh& mesh = *component.prototype.mesh;
     const Imath::V3f middle = bounds(mesh).center();
     component.radius = thickness / 2;
+    component.skin = thickness / 2;
     component.distribution_radius = std::sqrt(area(mesh) / pi) / 4;
     component.origin = middle;
     const Mesh own = moved(mesh, middle);

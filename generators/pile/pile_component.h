@@ -14,6 +14,7 @@ struct PileComponent {
     double radius = 0;              // of the largest inner ball [m]; of a sheet half its thickness
     double distribution_radius = 0; // half of that; of a sheet a quarter of its round equal's
     double reach = 0;               // of the farthest vertex from the origin [m]
+    double skin = 0;                // from the mesh to the solid's surface: of a sheet [m]
     SignedDistanceGrid distance;
     std::vector<Ball> balls; // some 30 at most that fill the inside but for its corners
     BallTree probe;          // fills the inside to 1% of the radius; radius 0: on the surface

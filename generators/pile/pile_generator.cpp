@@ -9,11 +9,13 @@
 #include "generators/pile/overlap_measure.h"
 #include "generators/pile/pile_problem.h"
 #include "generators/pile/pile_specs.h"
+#include "generators/pile/pile_support.h"
 #include "generators/pile/thesis_method.h"
 
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 
 namespace scree {
 
@@ -94,13 +96,32 @@ ThesisSettings thesis_settings(const Params& params) {
     return settings;
 }
 
-// By kind, where there are several.
+// By component, where there are several.
 void add_counts(const Pile& pile, Facts& facts) {
-    std::vector<double> counts(pile.kinds.size(), 0);
+    std::vector<std::size_t> component_of;
+    std::size_t components = 0;
+    for (const PileKind& kind : pile.kinds) {
+        components += kind.shapes > 0;
+        component_of.push_back(components - 1);
+    }
+    std::vector<double> counts(components, 0);
     for (const Placed& placed : pile.all)
-        ++counts[placed.kind];
+        ++counts[component_of[placed.kind]];
     for (std::size_t k = 0; counts.size() > 1 && k < counts.size(); ++k)
         facts.emplace_back(fmt::format("count_{}", k + 1), counts[k]);
+}
+
+std::optional<OrientationFlow> flow_of(const Params& params) {
+    const bool follows = params.text("frame") == "flow";
+    if (follows && !params.has("flow"))
+        throw params.error("frame", "is \"flow\", but there is none",
+                           "expected flow = { ... } beside it");
+    if (!follows && params.has("flow"))
+        throw params.error("flow", "is given, but nothing follows it",
+                           "expected frame = \"flow\" beside it");
+    if (!follows)
+        return {};
+    return orientation_flow(params.record("flow"));
 }
 
 Aggregate bake_pile(const Params& params, const Context& context) {
@@ -108,9 +129,11 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     const auto seed = static_cast<std::uint64_t>(params.integer("seed"));
     const bool thesis = params.text("method") == "thesis";
     const std::vector<PileKind> kinds = pile_kinds(params);
+    const std::optional<OrientationFlow> flow = flow_of(params);
     const PileTurns turns{.kinds = kinds,
                           .frame = params.text("frame") == "global" ? PileFrame::global
                                                                     : PileFrame::surface,
+                          .flow = flow ? &*flow : nullptr,
                           .seed = seed};
     stages.end("preparing");
 
@@ -129,15 +152,21 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     }
     stages.end("placing");
 
+    const std::size_t placed = pile.all.size();
+    Facts support;
+    check_support(pile, params, support);
+    if (!support.empty())
+        stages.end("support");
+
     Aggregate aggregate;
     aggregate.generator = "pile";
     aggregate.seed = seed;
     for (const PileKind& kind : kinds)
         aggregate.prototypes.push_back(kind.component.prototype);
     aggregate.instances = instances_of(pile, seed);
-    aggregate.facts = {{"count", double(pile.all.size())},
-                       {"dropped", double(tried - pile.all.size())}};
+    aggregate.facts = {{"count", double(pile.all.size())}, {"dropped", double(tried - placed)}};
     add_counts(pile, aggregate.facts);
+    aggregate.facts.insert(aggregate.facts.end(), support.begin(), support.end());
     if (params.integer("measure") > 0) {
         aggregate.facts.emplace_back("cover", measured_cover(pile, *target, seed));
         add_overlap(pile, static_cast<std::size_t>(params.integer("measure")), aggregate.facts);

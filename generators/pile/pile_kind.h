@@ -9,9 +9,10 @@ namespace scree {
 struct PileKind {
     PileComponent component;
     double weight = 1;
-    double spacing = 1;     // C_radius
-    double refine = 2;      // C_refine
-    Vec3 rotation{0, 0, 0}; // widths of the ranges about u, v and w [rad]
+    std::uint32_t shapes = 1; // it and those after it are one kind in so many shapes; of these: 0
+    double spacing = 1;       // C_radius
+    double refine = 2;        // C_refine
+    Vec3 rotation{0, 0, 0};   // widths of the ranges about u, v and w [rad]
 
     /// r C_radius [m]: two of it are the distance between sites.
     double distribution_radius() const { return component.distribution_radius * spacing; }

@@ -24,12 +24,12 @@ Imath::M33f turn_about(int axis, double angle) {
     return m;
 }
 
-// u along the surface's level line, v along the normal.
-Imath::M33f frame_at(const Vec3& normal, PileFrame frame) {
-    if (frame == PileFrame::global)
+// u along the flow or the surface's level line, v along the normal.
+Imath::M33f frame_at(const Imath::V3d& position, const Vec3& normal, const PileTurns& turns) {
+    if (turns.flow == nullptr && turns.frame == PileFrame::global)
         return {};
-    Vec3 u = Vec3(0, 1, 0).cross(normal);
-    u = u.length() > 1e-4F ? u.normalized() : Vec3(1, 0, 0);
+    const Vec3 u =
+        turns.flow != nullptr ? turns.flow->tangent(position, normal) : level_line(normal);
     const Vec3 w = u.cross(normal).normalized();
     return {u.x, u.y, u.z, normal.x, normal.y, normal.z, w.x, w.y, w.z};
 }
@@ -44,15 +44,24 @@ Imath::M33f random_turn(const Vec3& rotation, Random random) {
     return turn;
 }
 
+double mean_distribution_radius(std::span<const PileKind> shapes) {
+    double sum = 0;
+    for (const PileKind& shape : shapes)
+        sum += shape.distribution_radius();
+    return sum / double(shapes.size());
+}
+
 } // namespace
 
 PileSite PileTurns::site(const Imath::V3d& position, const Vec3& normal, std::uint32_t kind,
                          std::uint64_t number) const {
+    if (kinds[kind].shapes > 1)
+        kind += Random(seed, Purpose::pile_choice, number).below(kinds[kind].shapes);
     return {.position = position,
             .normal = normal,
             .world_from_component =
                 random_turn(kinds[kind].rotation, Random(seed, Purpose::pile_turn, number)) *
-                frame_at(normal, frame),
+                frame_at(position, normal, *this),
             .kind = kind};
 }
 
@@ -65,12 +74,14 @@ std::vector<PileSite> pile_sites(const Mesh& target, const PileTurns& turns,
     std::vector<Tried> tried;
     for (std::uint32_t k = 0; k < turns.kinds.size(); ++k) {
         const PileKind& kind = turns.kinds[k];
+        if (kind.shapes == 0)
+            continue;
         const auto number = [k](std::size_t i) { return std::uint64_t{k} << 32 | i; };
-        const SurfaceDiskSet set =
-            sample_surface_disks({.mesh = &target,
-                                  .distances = {2 * kind.distribution_radius()},
-                                  .seed = turns.seed ^ k * 0x9e3779b97f4a7c15ULL},
-                                 context);
+        const SurfaceDiskSet set = sample_surface_disks(
+            {.mesh = &target,
+             .distances = {2 * mean_distribution_radius(turns.kinds.subspan(k, kind.shapes))},
+             .seed = turns.seed ^ k * 0x9e3779b97f4a7c15ULL},
+            context);
         std::vector<std::pair<double, std::size_t>> order(set.samples.size());
         for (std::size_t i = 0; i < order.size(); ++i)
             order[i] = {Random(turns.seed, Purpose::pile_order, number(i)).uniform(), i};

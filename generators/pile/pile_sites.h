@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/context.h"
+#include "generators/pile/orientation_flow.h"
 #include "generators/pile/pile_kind.h"
 
 #include <span>
@@ -30,9 +31,10 @@ enum class PileFrame { surface, global };
 struct PileTurns {
     std::span<const PileKind> kinds;
     PileFrame frame = PileFrame::surface;
+    const OrientationFlow* flow = nullptr; // of u, in place of the frame
     std::uint64_t seed = 0;
 
-    /// A site with its random turn, which is that of `number`.
+    /// A site with its random turn and, of the kind, shape, which are those of `number`.
     PileSite site(const Imath::V3d& position, const Vec3& normal, std::uint32_t kind,
                   std::uint64_t number) const;
 };

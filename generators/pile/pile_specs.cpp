@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/pile/pile_specs.h"
 
+#include "generators/pile/orientation_flow.h"
+
 namespace scree {
 
 namespace {
@@ -30,9 +32,41 @@ ParamSpec rotation(std::string doc) {
             .max = 360.0};
 }
 
-ParamSpec with(ParamSpec spec, Value fallback) {
-    spec.fallback = std::move(fallback);
-    return spec;
+std::vector<ParamSpec> variation_specs() {
+    return {
+        {.name = "shapes",
+         .type = ParamType::integer,
+         .doc = "How many shapes there are, of which every component has one at random.",
+         .fallback = std::int64_t{8},
+         .min = 1.0,
+         .max = 256.0},
+        {.name = "bend",
+         .type = ParamType::number,
+         .doc = "Most angle by which it is bent from end to end, towards any side.",
+         .unit = "deg",
+         .fallback = 0.0,
+         .min = 0.0,
+         .max = 180.0},
+        {.name = "twist",
+         .type = ParamType::number,
+         .doc = "Most angle by which its ends are turned against each other, either way.",
+         .unit = "deg",
+         .fallback = 0.0,
+         .min = 0.0,
+         .max = 360.0},
+        {.name = "stretch",
+         .type = ParamType::number,
+         .doc = "Most share by which it is longer or shorter; its volume stays the same.",
+         .fallback = 0.0,
+         .min = 0.0,
+         .max = 0.5},
+        {.name = "scale",
+         .type = ParamType::range,
+         .doc = "Factors of its size, evenly over the shapes.",
+         .fallback = Range{1.0, 1.0},
+         .min = 0.1,
+         .max = 10.0},
+    };
 }
 
 ParamSpec own(ParamSpec spec) {
@@ -71,6 +105,12 @@ std::vector<ParamSpec> component_specs() {
          .optional = true,
          .min = 1e-6,
          .max = 1e3},
+        {.name = "variation",
+         .type = ParamType::record,
+         .doc = "How its shapes differ, about the centre of its bounding box and along its longest "
+                "side.",
+         .optional = true,
+         .fields = variation_specs()},
     };
 }
 
@@ -96,16 +136,20 @@ std::vector<ParamSpec> pile_specs() {
                     "unless given, 1 with the thesis's method.")),
         own(refine("C_refine: how far outwards they may move, in halves of that distance; unless "
                    "given, 2 with the thesis's method, otherwise as far as three such radii.")),
-        with(rotation("Widths of the ranges, even to both sides, by which they are turned at "
-                      "random: about v, which points outwards, then about u, the surface's level "
-                      "line, and w, across."),
-             Vec3(0, 2 * pi_f, 0)),
+        own(rotation("Widths of the ranges, even to both sides, by which they are turned at "
+                     "random: about v, which points outwards, then about u, the surface's level "
+                     "line, and w, across; unless given, {0, 360, 0}, along a flow none.")),
         {.name = "frame",
          .type = ParamType::choice,
-         .doc = "surface: v is the surface's normal; global: u, v and w are the world's x, y and "
-                "z.",
+         .doc = "surface: v is the surface's normal; flow: and u follows a flow; global: u, v and "
+                "w are the world's x, y and z.",
          .fallback = std::string("surface"),
-         .choices = {"surface", "global"}},
+         .choices = {"surface", "global", "flow"}},
+        {.name = "flow",
+         .type = ParamType::record,
+         .doc = "What u follows along the surface with frame = \"flow\".",
+         .optional = true,
+         .fields = flow_specs()},
         {.name = "overlap",
          .type = ParamType::number,
          .doc = "T: how deep components may reach into each other, in radii of the largest inner "
@@ -133,6 +177,34 @@ std::vector<ParamSpec> pile_specs() {
                 "largest inner ball.",
          .optional = true,
          .min = 0.0,
+         .max = 1.0},
+        {.name = "support",
+         .type = ParamType::choice,
+         .doc =
+             "Whether components would stay where they are: none: not looked at; report: counted "
+             "in the facts; remove: what would fall, and what then falls, is taken away.",
+         .fallback = std::string("none"),
+         .choices = {"none", "report", "remove"}},
+        {.name = "adhesive",
+         .type = ParamType::boolean,
+         .doc = "What touches the target sticks to it; otherwise the pile stands by itself, on the "
+                "floor.",
+         .fallback = true},
+        {.name = "floor",
+         .type = ParamType::number,
+         .doc =
+             "Height of a level floor that holds components up; unless given, there is none, or, "
+             "if nothing sticks to the target, one under the lowest component.",
+         .unit = "m",
+         .optional = true,
+         .min = -1e4,
+         .max = 1e4},
+        {.name = "contact",
+         .type = ParamType::number,
+         .doc = "Gap that still counts as touching, in radii of the largest inner ball of the "
+                "smaller.",
+         .fallback = 0.05,
+         .min = 0.001,
          .max = 1.0},
         {.name = "measure",
          .type = ParamType::integer,
