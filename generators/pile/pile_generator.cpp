@@ -23,13 +23,24 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::vector<Instance> instances_of(const Pile& pile, std::uint64_t seed) {
+// Where the whole pile stands.
+Matrix placement(const Params& params) {
+    Matrix matrix;
+    matrix.rotate(Vec3(0, static_cast<float>(params.number("turn")), 0));
+    const Vec3 at = params.vector3("position");
+    matrix[3][0] = at.x;
+    matrix[3][1] = at.y;
+    matrix[3][2] = at.z;
+    return matrix;
+}
+
+std::vector<Instance> instances_of(const Pile& pile, std::uint64_t seed, const Matrix& world) {
     std::vector<Instance> instances(pile.all.size());
     parallel_for(pile.all.size(), 1024, [&](std::size_t i) {
         const Placed& placed = pile.all[i];
         instances[i].prototype = placed.kind;
         instances[i].world_from_object =
-            world_from_object(placed.pose, pile.component(placed).origin);
+            world_from_object(placed.pose, pile.component(placed).origin) * world;
         instances[i].random = Random(seed, Purpose::instance_attribute, i).uniform_float();
     });
     return instances;
@@ -163,7 +174,7 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     aggregate.seed = seed;
     for (const PileKind& kind : kinds)
         aggregate.prototypes.push_back(kind.component.prototype);
-    aggregate.instances = instances_of(pile, seed);
+    aggregate.instances = instances_of(pile, seed, placement(params));
     aggregate.facts = {{"count", double(pile.all.size())}, {"dropped", double(tried - placed)}};
     add_counts(pile, aggregate.facts);
     aggregate.facts.insert(aggregate.facts.end(), support.begin(), support.end());

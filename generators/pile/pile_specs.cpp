@@ -119,6 +119,18 @@ std::vector<ParamSpec> component_specs() {
 std::vector<ParamSpec> pile_specs() {
     return {
         {.name = "target", .type = ParamType::mesh, .doc = "The shape whose surface is covered."},
+        {.name = "position",
+         .type = ParamType::vector3,
+         .doc = "Where the target's origin stands.",
+         .unit = "m",
+         .fallback = Vec3(0)},
+        {.name = "turn",
+         .type = ParamType::number,
+         .doc = "By which the whole pile is turned about the upright axis.",
+         .unit = "deg",
+         .fallback = 0.0,
+         .min = -36000,
+         .max = 36000},
         {.name = "components",
          .type = ParamType::list,
          .doc = "What is piled.",
