@@ -26,7 +26,7 @@ end
 -- A table top for things `size` large.
 function pile.table_top(size, color)
   return object {
-    shape = mesh.plane { size = 60 * size },
+    shape = mesh.plane { size = 300 * size },
     material = material.plastic { color = color or srgb("#3a2a20"), roughness = 0.35 },
   }
 end

