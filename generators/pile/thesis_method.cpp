@@ -2,29 +2,44 @@
 #include "generators/pile/thesis_method.h"
 
 #include "core/parallel.h"
+#include "generators/pile/corner_depth.h"
 #include "generators/pile/dependency_levels.h"
 #include "generators/pile/golden_section.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace scree {
 
 namespace {
 
-constexpr int iterations = 15; // section 4.3.2.2
+constexpr int iterations = 15;     // section 4.3.2.2
+constexpr double grid_step = 0.15; // radii; finer takes longer to make than it saves
+
+/// A medial ball of a neighbour in the frame of the component at its site.
+struct NearBall {
+    Ball ball;
+    double height = 0; // of the component, at which
+    float bound = 0;   // it is no deeper in any corner [m]: depths change no faster
+                       // than heights
+};
 
 /// The components on their way, with what eq. 4.2 is made of.
 class Refinement {
   public:
     Refinement(std::span<const PileKind> kinds, std::span<const PileSite> sites, double overlap)
         : kinds_(kinds), sites_(sites), overlap_(overlap), heights_(sites.size(), 0.0) {
+        double largest = 0;
+        for (const PileKind& kind : kinds)
+            for (const Ball& ball : kind.component.balls)
+                largest = std::max(largest, double(ball.radius));
         for (const PileKind& kind : kinds) {
-            std::vector<Ball> corners;
+            std::vector<Vec3> corners;
             for (const Vec3& p : kind.component.prototype.mesh->positions)
-                corners.push_back({p - kind.component.origin, 0});
-            corners_.emplace_back(std::move(corners));
+                corners.push_back(p - kind.component.origin);
+            corners_.emplace_back(corners, grid_step * kind.component.radius, largest);
+            doubt_ =
+                std::max(doubt_, 1e-5F * static_cast<float>(kind.component.reach + kind.range()));
         }
         find_neighbours();
     }
@@ -33,7 +48,7 @@ class Refinement {
 
     void refine(std::uint32_t i) {
         const double range = kinds_[sites_[i].kind].range();
-        const std::vector<Ball> balls = balls_near(i, {});
+        std::vector<NearBall> balls = balls_near(i, 0, range, {});
         const auto cost = [&](double t) {
             const double overlap = overlap_at(i, t, balls);
             return (overlap > 0 ? overlap + range : 0) + t;
@@ -41,17 +56,25 @@ class Refinement {
         heights_[i] = golden_section(cost, 0, range, iterations);
     }
 
-    // The first term of eq. 4.1 where the component now is, beside those not `gone` [m].
+    // The first term of eq. 4.1 where the component now is, beside those not
+    // `gone` [m].
     double overlap_left(std::uint32_t i, const std::vector<char>& gone) const {
-        return overlap_at(i, heights_[i], balls_near(i, gone));
+        std::vector<NearBall> balls = balls_near(i, heights_[i], heights_[i], gone);
+        return overlap_at(i, heights_[i], balls);
     }
 
     double height(std::uint32_t i) const { return heights_[i]; }
 
   private:
+    Imath::V3d mid_way(std::uint32_t i) const {
+        return sites_[i].position +
+               Imath::V3d(sites_[i].normal) * (kinds_[sites_[i].kind].range() / 2);
+    }
+
+    // Of all that component i may come to from the middle of its way.
     double reach_along_way(std::uint32_t i) const {
         const PileKind& kind = kinds_[sites_[i].kind];
-        return kind.component.reach + kind.range();
+        return kind.component.reach + kind.range() / 2;
     }
 
     void find_neighbours() {
@@ -60,61 +83,97 @@ class Refinement {
         for (const PileKind& kind : kinds_)
             longest = std::max(longest, kind.range());
         for (std::uint32_t i = 0; i < sites_.size(); ++i)
-            hash.add(sites_[i].kind, i, sites_[i].position);
+            hash.add(sites_[i].kind, i, mid_way(i));
         neighbours_.resize(sites_.size());
         parallel_for(sites_.size(), 64, [&](std::size_t n) {
             const auto i = static_cast<std::uint32_t>(n);
-            hash.near(sites_[i].position, reach_along_way(i) + longest, [&](std::uint32_t j) {
+            hash.near(mid_way(i), reach_along_way(i) + longest / 2, [&](std::uint32_t j) {
                 const double far = reach_along_way(i) + reach_along_way(j);
-                if (i != j && (sites_[i].position - sites_[j].position).length2() < far * far)
+                if (i != j && (mid_way(i) - mid_way(j)).length2() < far * far)
                     neighbours_[i].push_back(j);
             });
         });
     }
 
-    // The neighbours' medial balls in the frame of component i at its site.
-    std::vector<Ball> balls_near(std::uint32_t i, const std::vector<char>& gone) const {
-        const auto reach = static_cast<float>(reach_along_way(i));
+    float allowed(std::uint32_t i) const {
+        return static_cast<float>(overlap_ * kinds_[sites_[i].kind].component.radius);
+    }
+
+    // How far component i has moved at height t, in its own frame.
+    Vec3 moved(std::uint32_t i, double t) const {
+        return sites_[i].normal * sites_[i].world_from_component.transposed() *
+               static_cast<float>(t);
+    }
+
+    // The neighbours' medial balls that component i may meet deeper than T from
+    // height `low` to `high`, those first that are most in its way.
+    std::vector<NearBall> balls_near(std::uint32_t i, double low, double high,
+                                     const std::vector<char>& gone) const {
+        const PileKind& kind = kinds_[sites_[i].kind];
+        const CornerDepth& corners = corners_[sites_[i].kind];
+        const double middle = (low + high) / 2;
+        const Vec3 shift = moved(i, middle);
+        const float floor = allowed(i) - doubt_ - static_cast<float>((high - low) / 2);
+        const float reach = static_cast<float>(kind.component.reach) - floor;
         const Pose here = sites_[i].at(0).pose;
-        std::vector<Ball> balls;
+        std::vector<NearBall> balls;
         for (const std::uint32_t j : neighbours_[i]) {
             if (!gone.empty() && gone[j])
                 continue;
             const Placed other = sites_[j].at(heights_[j]);
+            const PileComponent& component = kinds_[other.kind].component;
             const RelativePose there = relative(other.pose, here);
-            for (const Ball& ball : kinds_[other.kind].component.balls) {
-                const Vec3 centre = there(ball.centre);
-                if (centre.length() < reach + ball.radius)
-                    balls.push_back({centre, ball.radius});
+            const float far = std::max(reach, 0.0F) + static_cast<float>(component.reach);
+            if ((there.offset - shift).length2() > far * far)
+                continue;
+            for (const Ball& ball : component.balls) {
+                const Ball own{there(ball.centre), ball.radius};
+                const float bound = corners.bound({own.centre - shift, own.radius});
+                if (bound > floor)
+                    balls.push_back({own, middle, bound});
             }
         }
+        std::sort(balls.begin(), balls.end(),
+                  [](const NearBall& a, const NearBall& b) { return a.bound > b.bound; });
         return balls;
     }
 
-    // max f(x, T) over the component's vertices at height t, in metres; -T or less: none.
-    double overlap_at(std::uint32_t i, double t, const std::vector<Ball>& balls) const {
-        const PileKind& kind = kinds_[sites_[i].kind];
-        const Vec3 moved =
-            sites_[i].normal * sites_[i].world_from_component.transposed() * static_cast<float>(t);
-        const auto reach = static_cast<float>(kind.component.reach);
-        std::vector<Ball> near;
-        for (const Ball& ball : balls)
-            if ((ball.centre - moved).length() < reach + ball.radius)
-                near.push_back({ball.centre - moved, ball.radius});
-        const auto distance = [&](const Vec3& p) {
-            float least = std::numeric_limits<float>::max();
-            for (const Ball& ball : near)
-                least = std::min(least, (p - ball.centre).length() - ball.radius);
-            return least;
-        };
-        return double(corners_[sites_[i].kind].depth_where(distance, 0)) -
-               overlap_ * kind.component.radius;
+    // max f(x, T) over the component's vertices at height t [m], or 0 where it is
+    // less: eq. 4.1 takes that for none. Of the balls only those are looked at
+    // whose bound is above the deepest so far, and the one that was deepest last
+    // time is the first.
+    double overlap_at(std::uint32_t i, double t, std::vector<NearBall>& balls) const {
+        const CornerDepth& corners = corners_[sites_[i].kind];
+        const Vec3 shift = moved(i, t);
+        const float least = allowed(i);
+        float deepest = least;
+        std::size_t at = 0;
+        for (std::size_t b = 0; b < balls.size(); ++b) {
+            NearBall& near = balls[b];
+            const auto way = static_cast<float>(std::abs(t - near.height));
+            if (near.bound + way + doubt_ <= deepest)
+                continue;
+            const Ball ball{near.ball.centre - shift, near.ball.radius};
+            near.height = t;
+            near.bound = corners.bound(ball);
+            if (near.bound + doubt_ <= deepest)
+                continue;
+            near.bound = corners.depth(ball, deepest);
+            if (near.bound > deepest) {
+                deepest = near.bound;
+                at = b;
+            }
+        }
+        if (at > 0)
+            std::swap(balls[0], balls[at]);
+        return double(deepest) - double(least);
     }
 
     std::span<const PileKind> kinds_;
     std::span<const PileSite> sites_;
     double overlap_;
-    std::vector<BallTree> corners_; // of each kind's mesh
+    std::vector<CornerDepth> corners_; // of each kind's mesh
+    float doubt_ = 0;                  // [m] more than rounding adds to or takes from a depth
     std::vector<double> heights_;
     std::vector<std::vector<std::uint32_t>> neighbours_;
 };

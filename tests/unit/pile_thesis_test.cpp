@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
+#include "generators/pile/corner_depth.h"
 #include "generators/pile/dependency_levels.h"
 #include "generators/pile/golden_section.h"
 #include "generators/pile/thesis_method.h"
@@ -64,7 +65,37 @@ TEST(PileThesis, LevelsKeepOrder) {
             EXPECT_TRUE(j < i ? level[j] < level[i] : level[i] < level[j]);
 }
 
-// Eq. 4.1 and 4.2 in their plainest form: all vertices, all balls, one component after the other.
+TEST(PileThesis, DepthsInBallsAreThoseOfAllCorners) {
+    const Mesh grain = tests::component_mesh("rice", {});
+    const CornerDepth corners(grain.positions, 0.0002, 0.001);
+    const Box3 box = bounds(grain);
+    Random random(1, Purpose::test);
+    const auto coordinate = [&](int axis) { // to beyond where balls of this size reach
+        return static_cast<float>(
+            random.uniform(double(box.min[axis]) - 0.003, double(box.max[axis]) + 0.003));
+    };
+    int inside = 0;
+    for (int k = 0; k < 20000; ++k) {
+        const Ball ball{{coordinate(0), coordinate(1), coordinate(2)},
+                        static_cast<float>(random.uniform(0.0, 0.001))};
+        float deepest = std::numeric_limits<float>::lowest();
+        for (const Vec3& p : grain.positions)
+            deepest = std::max(deepest, ball.radius - (p - ball.centre).length());
+        EXPECT_GE(corners.bound(ball), std::min(deepest, 0.0F) - 1e-7F);
+        if (deepest <= 0)
+            continue;
+        ++inside;
+        EXPECT_GE(corners.bound(ball), deepest - 1e-7F);
+        EXPECT_LE(corners.bound(ball),
+                  deepest + 0.0004F); // a cell's diagonal and rounding
+        EXPECT_FLOAT_EQ(corners.depth(ball, 0), deepest);
+        EXPECT_EQ(corners.depth(ball, deepest * 2), deepest * 2);
+    }
+    EXPECT_GT(inside, 500);
+}
+
+// Eq. 4.1 and 4.2 in their plainest form: all vertices, all balls, one
+// component after the other.
 struct Plain {
     std::span<const PileKind> kinds;
     std::span<const PileSite> sites;
