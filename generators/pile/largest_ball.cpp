@@ -10,15 +10,22 @@ namespace scree {
 
 namespace {
 
-float distance_to(const std::vector<DistanceTriangle>& triangles, const Vec3& p) {
+// To the nearest triangle, or any distance of `enough` or less where one is as
+// near; that one then comes first, since it is likely to be as near next time.
+float distance_to(std::vector<DistanceTriangle>& triangles, const Vec3& p, float enough) {
     float least = std::numeric_limits<float>::max();
-    for (const DistanceTriangle& triangle : triangles)
+    for (DistanceTriangle& triangle : triangles) {
         least = std::min(least, triangle.distance2(p));
+        if (least < enough * enough) {
+            std::swap(triangle, triangles.front());
+            break;
+        }
+    }
     return std::sqrt(least);
 }
 
-// Evenly over the sphere (a Fibonacci lattice), turned a little more every round so that a ridge
-// of the distance is met along itself sooner or later.
+// Evenly over the sphere (a Fibonacci lattice), turned a little more every
+// round so that a ridge of the distance is met along itself sooner or later.
 Vec3 direction(int i, int count, int round) {
     const double y = 1 - (2 * i + 1.0) / count;
     const double turn = i * pi * (3 - std::sqrt(5.0)) + 0.7 * round;
@@ -27,7 +34,8 @@ Vec3 direction(int i, int count, int round) {
             static_cast<float>(r * std::sin(turn))};
 }
 
-// By the solid angle that the triangles fill seen from p (van Oosterom & Strackee 1983).
+// By the solid angle that the triangles fill seen from p (van Oosterom &
+// Strackee 1983).
 bool encloses(const Mesh& mesh, const Imath::V3d& p) {
     double angle = 0;
     for (const Mesh::Triangle& t : mesh.triangles) {
@@ -55,7 +63,8 @@ Ball largest_inside(const Mesh& mesh, std::vector<Ball> balls) {
 }
 
 Ball climb_to_largest(const Mesh& mesh, const Ball& start) {
-    // No more than twice the start's radius is ever climbed to, from less than that away.
+    // No more than twice the start's radius is ever climbed to, from less than
+    // that away.
     constexpr float farthest = 4;
     std::vector<DistanceTriangle> near;
     for (const Mesh::Triangle& t : mesh.triangles) {
@@ -64,7 +73,7 @@ Ball climb_to_largest(const Mesh& mesh, const Ball& start) {
         if (triangle.distance2(start.centre) < farthest * start.radius * farthest * start.radius)
             near.push_back(triangle);
     }
-    Ball best{start.centre, distance_to(near, start.centre)};
+    Ball best{start.centre, distance_to(near, start.centre, 0)};
     constexpr int directions = 24;
     float step = 0.2F * start.radius;
     for (int round = 0; step > 1e-4F * start.radius && round < 400; ++round) {
@@ -73,7 +82,7 @@ Ball climb_to_largest(const Mesh& mesh, const Ball& start) {
             const Vec3 to = best.centre + direction(i, directions, round) * step;
             if ((to - start.centre).length() > start.radius)
                 continue;
-            const float radius = distance_to(near, to);
+            const float radius = distance_to(near, to, best.radius);
             if (radius > best.radius * (1 + 1e-6F)) {
                 best = {to, radius};
                 climbed = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/pile/signed_distance_grid.h"
 
+#include "generators/pile/medial_balls.h"
 #include "generators/pile/triangle_distance.h"
 
 #include <algorithm>
@@ -29,8 +30,9 @@ VoxelGrid grid_round(const Mesh& mesh, double step, double thickness, std::size_
     return grid;
 }
 
-/// The nearest triangle of every sample: exact next to the surface, from there handed on from
-/// sample to neighbour (vector distance transform, Danielsson 1980, with triangles for points).
+/// The nearest triangle of every sample: exact next to the surface, from there
+/// handed on from sample to neighbour (vector distance transform, Danielsson
+/// 1980, with triangles for points).
 class NearestTriangles {
   public:
     NearestTriangles(const Mesh& mesh, const VoxelGrid& grid)
@@ -39,9 +41,13 @@ class NearestTriangles {
           step_(static_cast<float>(grid.side)), distance_(grid.size(), unknown),
           nearest_(grid.size(), none) {
         triangles_.reserve(mesh.triangles.size());
-        for (const Mesh::Triangle& t : mesh.triangles)
-            triangles_.emplace_back(std::array<Vec3, 3>{mesh.positions[t[0]], mesh.positions[t[1]],
-                                                        mesh.positions[t[2]]});
+        hulls_.reserve(mesh.triangles.size());
+        for (const Mesh::Triangle& t : mesh.triangles) {
+            const std::array<Vec3, 3> corners{mesh.positions[t[0]], mesh.positions[t[1]],
+                                              mesh.positions[t[2]]};
+            triangles_.emplace_back(corners);
+            hulls_.push_back(hull_of(corners));
+        }
         for (std::uint32_t t = 0; t < triangles_.size(); ++t)
             mark_near(mesh, t);
         for (const int dz : {1, -1})
@@ -55,7 +61,19 @@ class NearestTriangles {
   private:
     Vec3 position(int i, int j, int k) const { return Vec3(grid_.centre(i, j, k)); }
 
+    static Ball hull_of(const std::array<Vec3, 3>& corners) {
+        Ball hull{(corners[0] + corners[1] + corners[2]) / 3, 0};
+        for (const Vec3& corner : corners)
+            hull.radius = std::max(hull.radius, (corner - hull.centre).length());
+        return hull;
+    }
+
+    // Most are told to be too far by the ball round them.
     void try_triangle(std::size_t at, const Vec3& p, std::int32_t t) {
+        const Ball& hull = hulls_[static_cast<std::size_t>(t)];
+        const float far = distance_[at] + hull.radius;
+        if ((p - hull.centre).length2() > far * far)
+            return;
         const float d2 = triangles_[static_cast<std::size_t>(t)].distance2(p);
         if (d2 < distance_[at] * distance_[at]) {
             distance_[at] = std::sqrt(d2);
@@ -94,8 +112,8 @@ class NearestTriangles {
                     hand_on(i, j, k, d);
     }
 
-    // From the three samples before this one. A neighbour whose triangle is too far to help is
-    // left alone.
+    // From the three samples before this one. A neighbour whose triangle is too
+    // far to help is left alone.
     void hand_on(int i, int j, int k, const std::array<int, 3>& d) {
         const std::array<int, 3> cell{i, j, k};
         const std::size_t at = grid_.index(i, j, k);
@@ -112,6 +130,7 @@ class NearestTriangles {
 
     VoxelGrid grid_;
     std::vector<DistanceTriangle> triangles_;
+    std::vector<Ball> hulls_; // round them
     std::array<std::size_t, 3> stride_;
     float step_;
     std::vector<float> distance_;
