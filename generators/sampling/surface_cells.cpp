@@ -10,7 +10,8 @@ namespace {
 // Keeps the part of a piece where `axis` of space lies between two values.
 void keep_slab(ConvexPiece& piece, const TrianglePlane& plane, unsigned axis, double low,
                double high) {
-    // Along the plane the coordinate is a linear function: its gradient, and a line across it.
+    // Along the plane the coordinate is a linear function: its gradient, and a
+    // line across it.
     const Vec2 gradient(plane.x_axis[int(axis)], plane.y_axis[int(axis)]);
     const double at_origin = plane.origin[int(axis)];
     const double length2 = gradient.length2();
@@ -72,6 +73,16 @@ void SurfaceCells::cut_triangle(std::uint32_t triangle, const std::array<Imath::
     for (const Imath::V3d& corner : corners)
         whole.add(plane.project(corner));
     const auto cell = [&](double v) { return static_cast<std::int32_t>(std::floor(v / side_)); };
+    // Of a fine mesh most triangles lie in one cell.
+    const auto cell_of = [&](const Imath::V3d& p) { return Key{cell(p.x), cell(p.y), cell(p.z)}; };
+    if (const Key key = cell_of(corners[0]);
+        key == cell_of(corners[1]) && key == cell_of(corners[2])) {
+        if (area(whole) > 0) {
+            keys_.push_back(key);
+            pieces_.push_back({triangle, whole});
+        }
+        return;
+    }
     const auto cut = [&](const auto& self, const ConvexPiece& piece, unsigned axis,
                          Key key) -> void {
         if (axis == 3) {

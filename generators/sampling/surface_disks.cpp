@@ -17,8 +17,8 @@ namespace scree {
 
 namespace {
 
-// As the cells of elliptic_disks, on pieces of triangles: a ball around a sample meets a triangle's
-// plane in a disk.
+// As the cells of elliptic_disks, on pieces of triangles: a ball around a
+// sample meets a triangle's plane in a disk.
 class Cells {
   public:
     explicit Cells(const SurfaceDiskProblem& problem);
@@ -129,8 +129,12 @@ bool Cells::cut(std::uint32_t c, Part& part) const {
             const double distance =
                 distances_[part.disk_class * classes_ + other.disk_class] - doubt_;
             const double far = distance + circle.radius;
-            if ((other.position - middle).length2() > far * far)
+            const double away2 = (other.position - middle).length2();
+            if (away2 > far * far)
                 continue;
+            const double within = distance - circle.radius;
+            if (within > 0 && away2 < within * within) // as most of a fine mesh's are
+                return false;
             const double height = plane.height(other.position);
             const double limit = distance * distance - height * height;
             if (limit <= 0)
@@ -176,7 +180,8 @@ void Cells::happen(std::uint32_t c) {
                                part.triangle, part.disk_class};
     if (is_free(c, sample)) {
         samples_[c].push_back(sample);
-        // It covers most of what the cell has left; the rest waits as much longer as it is smaller.
+        // It covers most of what the cell has left; the rest waits as much longer
+        // as it is smaller.
         parts_.filter(part_of_[c], [&](Part& other, float& time) {
             const double before = other.area;
             if (!cut(c, other) || !(other.area > 0))
