@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/sampling/surface_cells.h"
 
-#include <numeric>
+#include "core/parallel.h"
+
+#include <functional>
 
 namespace scree {
 
@@ -106,16 +108,16 @@ void SurfaceCells::cut_triangle(std::uint32_t triangle, const std::array<Imath::
 }
 
 void SurfaceCells::sort_pieces() {
-    std::vector<std::uint32_t> order(pieces_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return keys_[a] < keys_[b]; });
+    std::vector<std::pair<Key, std::uint32_t>> order(pieces_.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        order[i] = {keys_[i], i};
+    parallel_sort(order.begin(), order.end(), std::less<>());
     std::vector<Key> keys;
     std::vector<SurfacePiece> pieces;
     pieces.reserve(order.size());
-    for (const std::uint32_t i : order) {
-        if (keys.empty() || keys.back() != keys_[i]) {
-            keys.push_back(keys_[i]);
+    for (const auto& [key, i] : order) {
+        if (keys.empty() || keys.back() != key) {
+            keys.push_back(key);
             first_piece_.push_back(static_cast<std::uint32_t>(pieces.size()));
         }
         pieces.push_back(pieces_[i]);

@@ -37,6 +37,7 @@ class SurfaceCells {
     SurfaceCells(const Mesh& mesh, double side);
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(keys_.size()); }
+    std::size_t piece_count() const { return pieces_.size(); }
     std::span<const SurfacePiece> pieces(std::uint32_t cell) const {
         return {pieces_.data() + first_piece_[cell], first_piece_[cell + 1] - first_piece_[cell]};
     }

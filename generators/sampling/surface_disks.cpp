@@ -81,6 +81,7 @@ Cells::Cells(const SurfaceDiskProblem& problem)
     time_.assign(count(), never);
     part_of_.assign(count(), Parts::none);
     samples_.resize(count());
+    parts_.reserve(surface_.piece_count() * classes_);
     for (std::uint32_t c = 0; c < count(); ++c) {
         Random random(seed_, Purpose::disk_start, c);
         for (const SurfacePiece& piece : surface_.pieces(c))

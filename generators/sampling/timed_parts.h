@@ -9,7 +9,8 @@
 namespace scree {
 
 /// Parts of many cells, each with the time of its next event, and for every cell the earliest at
-/// hand: pairing heaps (Fredman et al. 1986) whose nodes share one store.
+/// hand: pairing heaps (Fredman et al. 1986) whose nodes share one store. The parts, which are
+/// large, have another, so that merging touches little memory.
 template <class Part>
 class TimedParts {
   public:
@@ -18,15 +19,23 @@ class TimedParts {
     /// The root of one cell's heap.
     using Root = std::int32_t;
 
+    /// Makes room for `count` parts.
+    void reserve(std::size_t count) {
+        nodes_.reserve(count);
+        parts_.reserve(count);
+    }
+
     void add(Root& root, Part part, float time) {
         std::int32_t slot = unused_;
         if (slot == none) {
             slot = static_cast<std::int32_t>(nodes_.size());
             nodes_.emplace_back();
+            parts_.push_back(std::move(part));
         } else {
             unused_ = at(slot).next;
+            part_at(slot) = std::move(part);
         }
-        at(slot) = {std::move(part), time, none, none};
+        at(slot) = {time, none, none};
         root = merged(root, slot);
     }
 
@@ -35,7 +44,7 @@ class TimedParts {
     /// Takes out the earliest part.
     Part take(Root& root) {
         const std::int32_t slot = root;
-        Part part = std::move(at(slot).part);
+        Part part = std::move(part_at(slot));
         root = merged_all(at(slot).child);
         free(slot);
         return part;
@@ -56,7 +65,7 @@ class TimedParts {
             for (std::int32_t child = node.child; child != none; child = at(child).next)
                 open.push_back(child);
             node.child = node.next = none;
-            if (keep(node.part, node.time))
+            if (keep(part_at(slot), node.time))
                 root = merged(root, slot);
             else
                 free(slot);
@@ -65,13 +74,13 @@ class TimedParts {
 
   private:
     struct Node {
-        Part part;
         float time = 0;
         std::int32_t child = none;
         std::int32_t next = none; // sibling, or the next unused
     };
 
     Node& at(std::int32_t slot) { return nodes_[static_cast<std::size_t>(slot)]; }
+    Part& part_at(std::int32_t slot) { return parts_[static_cast<std::size_t>(slot)]; }
 
     void free(std::int32_t slot) {
         at(slot).next = unused_;
@@ -113,6 +122,7 @@ class TimedParts {
     }
 
     std::vector<Node> nodes_;
+    std::vector<Part> parts_; // of the nodes
     std::int32_t unused_ = none;
 };
 
