@@ -3,6 +3,7 @@
 
 #include "procedurals/checker.h"
 #include "procedurals/image.h"
+#include "procedurals/ramp.h"
 #include "procedurals/solid/bark.h"
 #include "procedurals/solid/breccia.h"
 #include "procedurals/solid/granite.h"
@@ -17,6 +18,7 @@ Registry<MakeProcedural> procedural_table() {
     Registry<MakeProcedural> table("procedural");
     table.add(checker_plugin());
     table.add(image_plugin());
+    table.add(ramp_plugin());
     table.add(bark_plugin());
     table.add(breccia_plugin());
     table.add(granite_plugin());

@@ -27,7 +27,8 @@ struct ContactGraph {
 /// What touches what.
 struct ContactSettings {
     double tolerance = 0.05; // gap that counts as touching, in radii of the smaller's largest
-                             // inner ball
+                             // inner ball; beyond 0.08, where the distance's
+                             // grid ends, up to 1.4 times as much counts
     const Mesh* adhesive = nullptr; // a surface that all stick to that touch it
     std::optional<double> floor{};  // height [m] of a level plane that they stand on
 };

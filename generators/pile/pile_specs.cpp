@@ -215,9 +215,9 @@ std::vector<ParamSpec> pile_specs() {
          .type = ParamType::number,
          .doc = "Gap that still counts as touching, in radii of the largest inner ball of the "
                 "smaller.",
-         .fallback = 0.05,
+         .fallback = 0.2,
          .min = 0.001,
-         .max = 1.0},
+         .max = 0.5},
         {.name = "measure",
          .type = ParamType::integer,
          .doc = "How many components, evenly taken from all, the overlap is measured at; 0: it is "

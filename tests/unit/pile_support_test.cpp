@@ -215,7 +215,7 @@ TEST(PileSupport, ContactsAgainstExactDistances) {
     Pile few(kinds);
     for (std::size_t i = 0; i < 20; ++i)
         few.add(pile.all[i]);
-    constexpr double tolerance = 0.2;
+    constexpr double tolerance = 0.07;
     const ContactGraph graph = contact_graph(few, {.tolerance = tolerance});
     int touching = 0;
     int apart = 0;
@@ -298,6 +298,7 @@ TEST(PileSupport, ReportedAndRemovedByTheGenerator) {
                                        {tests::pile_component(component_mesh("rice", {}))});
     params.set("cover", 0.8);
     params.set("rotation", Vec3(2 * pi_f));
+    params.set("contact", 0.05);
     params.set("support", std::string("report"));
     const Aggregate all = pile_plugin().make(params, {});
     ASSERT_GT(tests::fact(all, "falling"), 0);

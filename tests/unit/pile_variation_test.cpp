@@ -84,15 +84,15 @@ TEST(PileVariation, StretchAndTwistKeepTheVolume) {
 TEST(PileVariation, ClosedStaysClosedAndPositive) {
     const ShapeVariation variation{
         .shapes = 6, .bend = 0.7, .twist = 1.5, .stretch = 0.2, .scale = {0.7, 1.3}};
-    for (const char* name : {"rice", "banana", "box", "gear", "torus"}) {
+    for (const std::string name : {"rice", "banana", "box", "gear", "torus"}) {
         const Mesh mesh = component_mesh(name, {});
         for (std::uint32_t i = 0; i < variation.shapes; ++i) {
             const Mesh shape = varied_shape(mesh, variation, 7, i);
             EXPECT_TRUE(inspect(shape).closed()) << name;
             EXPECT_GT(volume(shape), 0.3 * volume(mesh)) << name;
             EXPECT_LT(volume(shape), 2.4 * volume(mesh)) << name;
-            if (mesh.triangles.size() < 1000)
-                continue; // its flat triangles cannot follow
+            if (name == "box")
+                continue; // its large triangles cannot follow
             for (const Mesh::Triangle& t : shape.triangles) {
                 const Vec3& a = shape.positions[t[0]];
                 const Vec3 n = (shape.positions[t[1]] - a).cross(shape.positions[t[2]] - a);

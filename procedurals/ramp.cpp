@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "procedurals/ramp.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+
+namespace scree {
+
+namespace {
+
+struct Stop {
+    float at = 0;
+    Color color;
+    Color other; // of the instances whose random number is 1
+};
+
+/// Colours joined by straight lines, constant beyond the ends.
+class Ramp final : public Procedural {
+  public:
+    Ramp(const Vec3& from, const Vec3& to, std::vector<Stop> stops)
+        : from_(from), per_metre_((to - from) / (to - from).length2()), stops_(std::move(stops)) {
+        for (const Stop& stop : stops_)
+            varies_ = varies_ || stop.color != stop.other;
+    }
+
+    bool solid() const override { return !varies_; }
+
+    void evaluate(std::span<const ShadingPoint> points,
+                  std::span<ShadingSample> samples) const override {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const ShadingPoint& p = points[i];
+            const float at = (p.position - from_).dot(per_metre_);
+            const float across = p.across.dot(per_metre_);
+            const float along = p.along.dot(per_metre_);
+            const float width = std::max(std::sqrt(across * across + along * along), 1e-4F);
+            ShadingSample sample;
+            sample.color =
+                (integral(at + width / 2, p.random) - integral(at - width / 2, p.random)) / width;
+            sample.value = std::clamp(at, 0.0F, 1.0F);
+            samples[i] = sample;
+        }
+    }
+
+  private:
+    // Of the colour from the first stop to x, negative before it.
+    Color integral(float x, float random) const {
+        const auto color = [&](const Stop& stop) {
+            return stop.color * (1 - random) + stop.other * random;
+        };
+        Color sum = color(stops_.front()) * (std::min(x, stops_.front().at) - stops_.front().at);
+        for (std::size_t k = 1; k < stops_.size() && x > stops_[k - 1].at; ++k) {
+            const float width = stops_[k].at - stops_[k - 1].at;
+            const float part = std::min(x, stops_[k].at) - stops_[k - 1].at;
+            const float slope = width > 0 ? part / width / 2 : 0.0F;
+            sum += (color(stops_[k - 1]) * (1 - slope) + color(stops_[k]) * slope) * part;
+        }
+        return sum + color(stops_.back()) * std::max(0.0F, x - stops_.back().at);
+    }
+
+    Vec3 from_;
+    Vec3 per_metre_; // along the ramp [1/m]
+    std::vector<Stop> stops_;
+    bool varies_ = false;
+};
+
+std::shared_ptr<const Procedural> make_ramp(const Params& params) {
+    const Vec3& from = params.vector3("from");
+    const Vec3& to = params.vector3("to");
+    if (!((to - from).length() > 1e-9F))
+        throw params.error("to", "is the same point as from");
+    std::vector<Stop> stops;
+    for (const Params& given : params.list("stops")) {
+        const Color color = given.color("color");
+        stops.push_back({static_cast<float>(given.number("at")), color,
+                         given.has("other") ? given.color("other") : color});
+        if (stops.size() > 1 && stops.back().at < stops[stops.size() - 2].at)
+            throw given.error("at", "lies before that of the stop before");
+    }
+    return std::make_shared<const Ramp>(from, to, std::move(stops));
+}
+
+} // namespace
+
+Plugin<MakeProcedural> ramp_plugin() {
+    return {"ramp",
+            "Colours along a line through the object, constant beyond its ends, box-filtered over "
+            "the pixel.",
+            {{.name = "from",
+              .type = ParamType::vector3,
+              .doc = "Where the line begins, in the object's frame.",
+              .unit = "m"},
+             {.name = "to", .type = ParamType::vector3, .doc = "Where it ends.", .unit = "m"},
+             {.name = "stops",
+              .type = ParamType::list,
+              .doc = "Colours in the order in which they stand along it.",
+              .fields = {{.name = "at",
+                          .type = ParamType::number,
+                          .doc = "Share of the way.",
+                          .min = 0.0,
+                          .max = 1.0},
+                         {.name = "color", .type = ParamType::color, .doc = "There."},
+                         {.name = "other",
+                          .type = ParamType::color,
+                          .doc = "Every instance has a mixture of its own of the two; the same "
+                                 "unless given.",
+                          .optional = true}},
+              .min_items = 1}},
+            make_ramp};
+}
+
+} // namespace scree

@@ -1,0 +1,10 @@
+return scene {
+  objects = {
+    generator.pile {
+      target = mesh.sphere { radius = 0.02 },
+      components = { { shape = mesh.rice {} } },
+      frame = "flow",
+      flow = { turn = 30 },
+    },
+  },
+}

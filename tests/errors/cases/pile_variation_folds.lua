@@ -1,0 +1,8 @@
+return scene {
+  objects = {
+    generator.pile {
+      target = mesh.sphere { radius = 0.02 },
+      components = { { shape = mesh.box {}, variation = { bend = 120 } } },
+    },
+  },
+}
