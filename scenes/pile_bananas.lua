@@ -36,7 +36,7 @@ return scene {
     light.sun { direction = { -1.0, 1.1, 0.8 }, angle = 5, color = { 1.0, 0.93, 0.82 }, strength = 3 },
   },
   objects = {
-    object { shape = mesh.plane { size = 600 }, material = table_top, position = { 0, -0.03, 0 } },
+    object { shape = mesh.plane { size = 100 }, material = table_top, position = { 0, -0.03, 0 } },
     bunny,
   },
 }

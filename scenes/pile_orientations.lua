@@ -1,5 +1,5 @@
--- The same cones on a ball with eight ranges of rotation about u, v and w (Sakurai 2013, figure
--- 4.13 b to i): none, then u, v, w, then v and w, u and w, u and v, and all three.
+-- The same slabs of three different sides on a ball, with eight ranges of rotation about u, v and w
+-- (Sakurai 2013, figure 4.13 b to i): none, then u, v, w, then v and w, u and w, u and v, and all.
 local settings = {
   { 0, 0, 0 }, { 360, 0, 0 }, { 0, 360, 0 }, { 0, 0, 360 },
   { 0, 360, 360 }, { 360, 0, 360 }, { 360, 360, 0 }, { 360, 360, 360 },
@@ -8,7 +8,7 @@ local tones = {}
 for i, tone in ipairs { "#d9822b", "#e0983f", "#cf6f22", "#e6ab5c" } do tones[i] = srgb(tone) end
 -- A drop of three different widths, so that every turn shows.
 local shape = mesh.gear { teeth = 8 }
-local component = { shape = mesh.cone { radius = 0.022, height = 0.075 }, material = material.plastic { palette = tones, roughness = 0.3 } }
+local component = { shape = mesh.box { width = 0.055, height = 0.075, depth = 0.02, rounding = 0.3 }, material = material.plastic { palette = tones, roughness = 0.3 } }
 
 local ball = mesh.sphere { radius = 0.2 }
 local core = material.matte { color = { 0.2, 0.07, 0.02 } }
