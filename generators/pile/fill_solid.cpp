@@ -13,9 +13,10 @@ namespace scree {
 
 namespace {
 
-// Of shells, in distances between sites: TUNE
+// In distances between sites. Nearer shells fill little more: rice in a ball to 0.30 at a quarter,
+// 0.29 at a half, 0.27 at one; with the inner shells in the reverse order, to 0.23.
 constexpr double shells_apart = 0.5;
-constexpr double samples_apart = 0.25; // in shells' distances
+constexpr double samples_apart = 0.5; // in shells' distances
 constexpr std::size_t measuring_points = 32768;
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "generators/pile/insertion.h"
 #include "generators/pile/overlap_measure.h"
 #include "generators/pile/pile_problem.h"
+#include "generators/pile/pile_solid.h"
 #include "generators/pile/pile_specs.h"
 #include "generators/pile/pile_support.h"
 #include "generators/pile/thesis_method.h"
@@ -139,6 +140,7 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     Stages stages;
     const auto seed = static_cast<std::uint64_t>(params.integer("seed"));
     const bool thesis = params.text("method") == "thesis";
+    const std::optional<SolidFill> solid = solid_fill(params);
     const std::vector<PileKind> kinds = pile_kinds(params);
     const std::optional<OrientationFlow> flow = flow_of(params);
     const PileTurns turns{.kinds = kinds,
@@ -157,6 +159,9 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     std::size_t tried = sites.size();
     if (thesis) {
         place_by_thesis(pile, merge_large_to_small(kinds, sites), thesis_settings(params), context);
+    } else if (solid) {
+        tried = fill_solid(pile, *target, turns, std::move(sites), *solid,
+                           insertion_settings(params), context);
     } else {
         tried = pile_up(pile, *target, turns, std::move(sites), insertion_settings(params),
                         params.number("cover"), context);
@@ -174,12 +179,17 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     aggregate.seed = seed;
     for (const PileKind& kind : kinds)
         aggregate.prototypes.push_back(kind.component.prototype);
-    aggregate.instances = instances_of(pile, seed, placement(params));
-    aggregate.facts = {{"count", double(pile.all.size())}, {"dropped", double(tried - placed)}};
+    const Pile shown = cut_open(pile, params);
+    aggregate.instances = instances_of(shown, seed, placement(params));
+    aggregate.facts = {{"count", double(shown.all.size())}, {"dropped", double(tried - placed)}};
+    if (params.has("cut"))
+        aggregate.facts.emplace_back("cut", double(pile.all.size() - shown.all.size()));
     add_counts(pile, aggregate.facts);
     aggregate.facts.insert(aggregate.facts.end(), support.begin(), support.end());
     if (params.integer("measure") > 0) {
         aggregate.facts.emplace_back("cover", measured_cover(pile, *target, seed));
+        if (solid)
+            aggregate.facts.emplace_back("fill", filled_share(pile, *target, seed));
         add_overlap(pile, static_cast<std::size_t>(params.integer("measure")), aggregate.facts);
         stages.end("measuring");
     }

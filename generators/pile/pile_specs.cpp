@@ -114,6 +114,20 @@ std::vector<ParamSpec> component_specs() {
     };
 }
 
+std::vector<ParamSpec> cut_specs() {
+    return {
+        {.name = "normal",
+         .type = ParamType::vector3,
+         .doc = "Points to what is left out.",
+         .fallback = Vec3(0, 0, 1)},
+        {.name = "point",
+         .type = ParamType::vector3,
+         .doc = "Lies in the plane.",
+         .unit = "m",
+         .fallback = Vec3(0)},
+    };
+}
+
 } // namespace
 
 std::vector<ParamSpec> pile_specs() {
@@ -143,6 +157,25 @@ std::vector<ParamSpec> pile_specs() {
                 "medial balls and lets meshes overlap.",
          .fallback = std::string("insertion"),
          .choices = {"insertion", "thesis"}},
+        {.name = "fill",
+         .type = ParamType::choice,
+         .doc = "surface: the target's skin; solid: its inside too, on shells from the innermost "
+                "outwards.",
+         .fallback = std::string("surface"),
+         .choices = {"surface", "solid"}},
+        {.name = "shells",
+         .type = ParamType::integer,
+         .doc = "How many shells of a solid are filled, from the surface inwards; all unless "
+                "given.",
+         .optional = true,
+         .min = 1.0,
+         .max = 1e5},
+        {.name = "cut",
+         .type = ParamType::record,
+         .doc = "What lies beyond a plane is left out of the finished pile, so that one sees "
+                "inside.",
+         .optional = true,
+         .fields = cut_specs()},
         own(spacing("C_radius: how far apart components are tried, in radii of their largest "
                     "inner ball, or, of a sheet, in halves of the radius of a disk of its area; 3 "
                     "unless given, 1 with the thesis's method.")),
