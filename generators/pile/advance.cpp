@@ -12,10 +12,6 @@ namespace {
 constexpr double contact = 0.004;
 constexpr double least_step = 0.02;
 
-double allowed_depth(const PileComponent& a, const PileComponent& b, double overlap) {
-    return (overlap + contact) * std::min(a.radius, b.radius);
-}
-
 /// Two components, of which one's probe is held against the other's distance, or both's.
 class Pair {
   public:
@@ -61,6 +57,10 @@ struct Obstacle {
 };
 
 } // namespace
+
+double allowed_depth(const PileComponent& a, const PileComponent& b, double overlap) {
+    return (overlap + contact) * std::min(a.radius, b.radius);
+}
 
 float depth_between(const PileComponent& a, const Pose& pose_a, const PileComponent& b,
                     const Pose& pose_b, float floor, float enough) {

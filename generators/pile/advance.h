@@ -31,6 +31,10 @@ float depth_between(const PileComponent& a, const Pose& pose_a, const PileCompon
                     const Pose& pose_b, float floor,
                     float enough = std::numeric_limits<float>::max());
 
+/// How deep two components may reach into each other and still count as free [m], for `overlap` in
+/// radii of the smaller's largest inner ball.
+double allowed_depth(const PileComponent& a, const PileComponent& b, double overlap);
+
 /// Whether two components reach no deeper than `overlap` (in radii of the smaller's largest inner
 /// ball) into each other.
 bool is_free(const Pile& pile, const Placed& a, const Placed& b, double overlap);

@@ -31,6 +31,16 @@ class BallTree {
     float depth_where(const Distance& distance, float floor,
                       float enough = std::numeric_limits<float>::max()) const;
 
+    /// The ball that reaches deepest, and how deep [m], likewise; none, of depth `floor`, where no
+    /// ball is deeper.
+    struct Deepest {
+        Ball ball;
+        float depth = std::numeric_limits<float>::lowest();
+    };
+    template <class Distance>
+    Deepest deepest_where(const Distance& distance,
+                          float floor = std::numeric_limits<float>::lowest()) const;
+
     /// Calls found(centre) for all balls that come within `gap` of what is at `distance`, likewise.
     template <class Distance, class Found>
     void each_within(const Distance& distance, float gap, const Found& found) const;
@@ -47,12 +57,22 @@ class BallTree {
 
     void split(std::uint32_t node, std::uint32_t first, std::uint32_t end);
 
+    // As `depth_where`; deeper(ball) is called for each that is deeper than those before it.
+    template <class Distance, class Deeper>
+    float search(const Distance& distance, float floor, float enough, const Deeper& deeper) const;
+
     std::vector<Ball> balls_;
     std::vector<Node> nodes_;
 };
 
 template <class Distance>
 float BallTree::depth_where(const Distance& distance, float floor, float enough) const {
+    return search(distance, floor, enough, [](const Ball&) {});
+}
+
+template <class Distance, class Deeper>
+float BallTree::search(const Distance& distance, float floor, float enough,
+                       const Deeper& deeper) const {
     const auto depth = [&](const Ball& ball) { return ball.radius - distance(ball.centre); };
     struct Open {
         std::uint32_t node;
@@ -70,7 +90,10 @@ float BallTree::depth_where(const Distance& distance, float floor, float enough)
         const Node& node = nodes_[next.node];
         if (node.count > 0) {
             for (std::uint32_t b = node.first; b < node.first + node.count; ++b)
-                deepest = std::max(deepest, depth(balls_[b]));
+                if (const float d = depth(balls_[b]); d > deepest) {
+                    deepest = d;
+                    deeper(balls_[b]);
+                }
             continue;
         }
         Open near{node.first, depth(nodes_[node.first].hull)};
@@ -82,6 +105,14 @@ float BallTree::depth_where(const Distance& distance, float floor, float enough)
         if (near.bound > deepest)
             open[count++] = near;
     }
+    return deepest;
+}
+
+template <class Distance>
+BallTree::Deepest BallTree::deepest_where(const Distance& distance, float floor) const {
+    Deepest deepest{.ball = {}, .depth = floor};
+    deepest.depth = search(distance, floor, std::numeric_limits<float>::max(),
+                           [&](const Ball& ball) { deepest.ball = ball; });
     return deepest;
 }
 

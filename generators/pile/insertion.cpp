@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace scree {
 
@@ -17,23 +18,26 @@ double limit_of(const PileKind& kind, double level, const InsertionSettings& set
     return std::min(highest(kind, settings), level * kind.component.radius);
 }
 
-/// Candidates that are advanced at the same time against what is placed before them, and then in
-/// their order against each other. As large as it may be with few conflicts within; not a function
-/// of the number of threads, since the outcome depends on it in the last digits.
+/// Candidates that are advanced at the same time against what is placed before them; those in the
+/// way of one before them in their order are advanced again with the next round. As large as it may
+/// be with few conflicts within; not a function of the number of threads, since the outcome depends
+/// on it in the last digits.
 std::size_t batch_size(std::size_t count) { return std::clamp<std::size_t>(count / 64, 64, 4096); }
 
-void move_on(const Pile& pile, InsertionCandidate& candidate, double level,
-             const InsertionSettings& settings) {
+void come_free(const Pile& pile, InsertionCandidate& candidate, double level,
+               const InsertionSettings& settings) {
+    candidate.placed = false;
     const double limit = limit_of(pile.kinds[candidate.site.kind], level, settings);
+    if (candidate.height > limit)
+        return;
     const Advance moved = advance(pile, candidate.site, candidate.height, limit, settings.overlap);
     candidate.height = moved.height;
     candidate.placed = moved.free;
+    candidate.at = candidate.site.at(moved.height);
 }
 
 // Whether one of those from number `first` is in its way.
-bool blocked_by_newer(const Pile& pile, const InsertionCandidate& candidate, std::size_t first,
-                      double overlap) {
-    const Placed placed = candidate.site.at(candidate.height);
+bool is_blocked(const Pile& pile, const Placed& placed, std::size_t first, double overlap) {
     bool blocked = false;
     pile.hash.near(placed.pose.centre, pile.component(placed).reach, [&](std::uint32_t index) {
         blocked = blocked || (index >= first && !is_free(pile, placed, pile.all[index], overlap));
@@ -43,16 +47,25 @@ bool blocked_by_newer(const Pile& pile, const InsertionCandidate& candidate, std
 
 void insert_batch(double level, Pile& pile, std::span<InsertionCandidate> batch,
                   const InsertionSettings& settings) {
-    const std::size_t first = pile.all.size();
-    parallel_for(batch.size(), 1, [&](std::size_t i) {
-        if (batch[i].height <= limit_of(pile.kinds[batch[i].site.kind], level, settings))
-            move_on(pile, batch[i], level, settings);
-    });
-    for (InsertionCandidate& candidate : batch) {
-        if (candidate.placed && blocked_by_newer(pile, candidate, first, settings.overlap))
-            move_on(pile, candidate, level, settings);
-        if (candidate.placed)
-            pile.add(candidate.site.at(candidate.height));
+    std::vector<std::size_t> open(batch.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    while (!open.empty()) {
+        const std::size_t first = pile.all.size();
+        parallel_for(open.size(), 1, [&](std::size_t k) {
+            InsertionCandidate& candidate = batch[open[k]];
+            come_free(pile, candidate, level, settings);
+            if (candidate.placed && settings.settler != nullptr)
+                candidate.at = settings.settler->settle(pile, candidate.at);
+        });
+        std::erase_if(open, [&](std::size_t i) {
+            InsertionCandidate& candidate = batch[i];
+            if (!candidate.placed)
+                return true;
+            candidate.placed = !is_blocked(pile, candidate.at, first, settings.overlap);
+            if (candidate.placed)
+                pile.add(candidate.at);
+            return candidate.placed;
+        });
     }
 }
 

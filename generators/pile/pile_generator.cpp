@@ -98,6 +98,25 @@ InsertionSettings insertion_settings(const Params& params) {
     return {.overlap = params.number("overlap"), .sink = params.number("sink")};
 }
 
+// Nothing where components stay where they came free.
+std::optional<Settler> settler_of(const Params& params, std::span<const PileKind> kinds,
+                                  const Mesh& target) {
+    const auto steps = static_cast<int>(params.integer("settle"));
+    if (steps == 0)
+        return {};
+    if (params.text("method") != "insertion" || params.text("fill") != "surface")
+        throw params.error("settle", "is for what is inserted on a surface",
+                           "expected method = \"insertion\" and fill = \"surface\" beside it");
+    SettleSettings settings{.steps = steps,
+                            .sink = params.number("sink"),
+                            .overlap = params.number("overlap")};
+    if (params.has("settle_turn"))
+        settings.turn = params.number("settle_turn");
+    else if (params.text("frame") != "surface")
+        settings.turn = 0;
+    return Settler(kinds, target, settings);
+}
+
 ThesisSettings thesis_settings(const Params& params) {
     if (params.number("sink") > 0)
         throw params.error("sink", "is no parameter of the thesis's method");
@@ -155,6 +174,7 @@ Aggregate bake_pile(const Params& params, const Context& context) {
         located(params, "target", [&] { return pile_sites(*target, turns, context); });
     stages.end("sampling");
 
+    const std::optional<Settler> settler = settler_of(params, kinds, *target);
     Pile pile(kinds);
     std::size_t tried = sites.size();
     if (thesis) {
@@ -163,7 +183,9 @@ Aggregate bake_pile(const Params& params, const Context& context) {
         tried = fill_solid(pile, *target, turns, std::move(sites), *solid,
                            insertion_settings(params), context);
     } else {
-        tried = pile_up(pile, *target, turns, std::move(sites), insertion_settings(params),
+        InsertionSettings settings = insertion_settings(params);
+        settings.settler = settler ? &*settler : nullptr;
+        tried = pile_up(pile, *target, turns, std::move(sites), settings,
                         params.number("cover"), context);
     }
     stages.end("placing");

@@ -202,6 +202,22 @@ std::vector<ParamSpec> pile_specs() {
          .fallback = 0.0,
          .min = 0.0,
          .max = 1.0},
+        {.name = "settle",
+         .type = ParamType::integer,
+         .doc = "Steps, at most, in which a component that insertion has found a place for sinks "
+                "towards the surface, slides and turns along those in its way until it rests on "
+                "them; 0: it stays where it came free.",
+         .fallback = std::int64_t{0},
+         .min = 0.0,
+         .max = 1000.0},
+        {.name = "settle_turn",
+         .type = ParamType::number,
+         .doc = "By how much it may turn then; unless given, 30 with frame = \"surface\", otherwise "
+                "not at all.",
+         .unit = "deg",
+         .optional = true,
+         .min = 0.0,
+         .max = 180.0},
         {.name = "sink",
          .type = ParamType::number,
          .doc = "How deep below the surface the centres of the largest inner balls may lie, in "

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/parallel.h"
+#include "core/random.h"
+#include "generators/pile/cover_target.h"
+#include "tests/unit/pile_test_tools.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace scree {
+namespace {
+
+using tests::component_mesh;
+
+Mesh rice() { return component_mesh("rice", {}); }
+Mesh ball(double radius) { return component_mesh("sphere", {{"radius", radius}}); }
+Mesh floor_of(double size) { return component_mesh("plane", {{"size", size}}); }
+
+PileKind kind_of(const Mesh& mesh) {
+    return {.component = tests::prepared(mesh),
+            .weight = 1,
+            .spacing = 3,
+            .refine = 2,
+            .rotation = Vec3(2 * pi_f)};
+}
+
+Pile piled(const std::vector<PileKind>& kinds, const Mesh& target, int steps, double cover) {
+    Pile pile(kinds);
+    const PileTurns turns{.kinds = kinds, .frame = PileFrame::surface, .seed = 4};
+    const Settler settler(kinds, target, {.steps = steps});
+    InsertionSettings settings;
+    if (steps > 0)
+        settings.settler = &settler;
+    pile_up(pile, target, turns, pile_sites(target, turns, {}), settings, cover, {});
+    return pile;
+}
+
+double mean_height(const Pile& pile) {
+    double sum = 0;
+    for (const Placed& placed : pile.all)
+        sum += placed.height;
+    return sum / double(pile.all.size());
+}
+
+Imath::V3d to_own(const Pose& pose, const Imath::V3d& p) {
+    return (p - pose.centre) * Imath::M33d(pose.world_from_component).transposed();
+}
+
+TEST(PileSettle, NoGrainIsDeepInAnother) {
+    const Mesh mesh = rice();
+    const std::vector<PileKind> kinds{kind_of(mesh)};
+    const PileComponent& grain = kinds[0].component;
+    const Pile pile = piled(kinds, ball(0.007), 12, 0.7);
+    ASSERT_GT(pile.all.size(), 20U);
+    const Box3 box = bounds(mesh);
+    double deepest = 0;
+    for (const Placed& a : pile.all)
+        for (const Placed& b : pile.all) {
+            if (&a == &b || (a.pose.centre - b.pose.centre).length() > 2 * grain.reach)
+                continue;
+            for (const Vec3& vertex : mesh.positions) {
+                const Imath::V3d world = a.pose.centre + Imath::V3d((vertex - grain.origin) *
+                                                                    a.pose.world_from_component);
+                const Imath::V3d p = to_own(b.pose, world) + Imath::V3d(grain.origin);
+                if (box.intersects(Vec3(p)))
+                    deepest = std::max(deepest, -tests::signed_distance(mesh, p));
+            }
+        }
+    EXPECT_LE(deepest, 0.02 * grain.radius);
+}
+
+TEST(PileSettle, TurnsStayTurns) {
+    const std::vector<PileKind> kinds{kind_of(rice())};
+    for (const Placed& placed : piled(kinds, ball(0.01), 12, 0.7).all) {
+        const Imath::M33f& m = placed.pose.world_from_component;
+        const Imath::M33f product = m * m.transposed();
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                EXPECT_NEAR(double(product[i][j]), i == j ? 1 : 0, 1e-5);
+        EXPECT_NEAR(double(m.determinant()), 1, 1e-5);
+    }
+}
+
+TEST(PileSettle, LoneBallReachesTheGround) {
+    constexpr double r = 0.01;
+    const std::vector<PileKind> kinds{kind_of(ball(r))};
+    const Mesh floor = floor_of(0.2);
+    Placed start;
+    start.pose.centre.y = 0.9 * r;
+    const Settler settler(kinds, floor, {.steps = 60});
+    EXPECT_NEAR(settler.settle(Pile(kinds), start).pose.centre.y, 0, 0.011 * r);
+    const Settler deep(kinds, floor, {.steps = 60, .sink = 0.05});
+    EXPECT_NEAR(deep.settle(Pile(kinds), start).pose.centre.y, -0.05 * r, 0.011 * r);
+}
+
+TEST(PileSettle, SpheresOnAPlaneRestLower) {
+    std::vector<PileKind> kinds{kind_of(ball(0.01))};
+    kinds[0].spacing = 1.2; // nearer to each other than they fit beside
+    kinds[0].refine = 5;
+    const Mesh floor = floor_of(0.3);
+    const Pile loose = piled(kinds, floor, 0, 0);
+    const Pile settled = piled(kinds, floor, 20, 0);
+    ASSERT_GT(settled.all.size(), 50U);
+    EXPECT_LT(mean_height(settled), 0.95 * mean_height(loose));
+}
+
+TEST(PileSettle, WhatIsNotOnTheGroundTouchesOthers) {
+    const std::vector<PileKind> kinds{kind_of(rice())};
+    const PileComponent& grain = kinds[0].component;
+    const Pile pile = piled(kinds, ball(0.015), 12, 0.8);
+    int high = 0;
+    for (std::size_t i = 0; i < pile.all.size(); ++i) {
+        if (pile.all[i].height < 0.02 * grain.radius)
+            continue;
+        ++high;
+        float nearest = -1;
+        for (std::size_t j = 0; j < pile.all.size(); ++j)
+            if (i != j)
+                nearest = std::max(
+                    nearest, depth_between(grain, pile.all[i].pose, grain, pile.all[j].pose, -1));
+        EXPECT_GT(nearest, -0.1 * grain.radius);
+    }
+    EXPECT_GT(high, 20);
+}
+
+TEST(PileSettle, TurnsNoFartherThanAllowed) {
+    const std::vector<PileKind> kinds{kind_of(rice())};
+    const Mesh target = ball(0.01);
+    const Settler none(kinds, target, {.steps = 12, .turn = 0});
+    const Settler some(kinds, target, {.steps = 12, .turn = 0.2});
+    const Pile below = piled(kinds, target, 0, 0);
+    double most = 0;
+    for (int i = 0; i < 200; ++i) {
+        Random random(8, Purpose::test, std::uint64_t(i));
+        Placed start = below.all[std::size_t(i) % below.all.size()];
+        // Above where another is, on its way outwards.
+        start.pose.centre += Imath::V3d(start.normal) * (2.3 * kinds[0].component.radius);
+        bool free = true;
+        for (const Placed& other : below.all)
+            free = free && is_free(below, start, other, 0);
+        if (!free)
+            continue;
+        const auto turn_of = [&](const Placed& end) {
+            const Imath::M33f d =
+                end.pose.world_from_component * start.pose.world_from_component.transposed();
+            return std::acos(std::clamp((double(d[0][0] + d[1][1] + d[2][2]) - 1) / 2, -1.0, 1.0));
+        };
+        EXPECT_LT(turn_of(none.settle(below, start)), 1e-3);
+        most = std::max(most, turn_of(some.settle(below, start)));
+    }
+    EXPECT_LT(most, 0.201);
+    EXPECT_GT(most, 0.1);
+}
+
+TEST(PileSettle, SameBytesOnAnyNumberOfThreads) {
+    std::vector<Aggregate> piles;
+    for (const int threads : {1, 2, 7}) {
+        const ThreadLimit limit(threads);
+        Params params = tests::pile_params(ball(0.008), {tests::pile_component(rice())});
+        params.set("cover", 0.8);
+        params.set("settle", std::int64_t{12});
+        piles.push_back(pile_plugin().make(params, {}));
+    }
+    for (const Aggregate& pile : piles) {
+        ASSERT_EQ(pile.instances.size(), piles[0].instances.size());
+        for (std::size_t i = 0; i < pile.instances.size(); ++i)
+            ASSERT_EQ(std::memcmp(&pile.instances[i].world_from_object,
+                                  &piles[0].instances[i].world_from_object, sizeof(Matrix)),
+                      0);
+    }
+}
+
+} // namespace
+} // namespace scree
