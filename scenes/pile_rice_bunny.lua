@@ -13,8 +13,8 @@ local rice = material.plastic { palette = tones, roughness = 0.22 }
 local bunny = generator.pile {
   target = mesh.file { path = bunny_file, size = mm(150) },
   components = { { shape = grain, material = rice } },
-  refine = arg("refine", 3), rotation = { 50, 360, 50 },
-  cover = arg("cover", 0.9), seed = arg("seed", 1),
+  spacing = 1, refine = arg("refine", 10), rotation = { 20, 360, 20 },
+  settle = arg("settle", 10), cover = arg("cover", 0.99), seed = arg("seed", 1),
 }
 
 local table_top = material.plastic { color = srgb("#2b1d16"), roughness = 0.25 }

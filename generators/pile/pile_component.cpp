@@ -20,6 +20,7 @@ constexpr double edge_spacing = 0.04;    // of points on sharp edges
 constexpr double most_sample_spacing = 0.25;
 constexpr double ball_tolerance = 0.1;
 
+constexpr std::size_t most_grid_samples = std::size_t{1} << 22;
 constexpr double sample_count = 2500;
 constexpr double most_samples = 20000;
 constexpr std::size_t most_balls = 30;
@@ -128,7 +129,9 @@ void prepare_solid(PileComponent& component) {
     component.distribution_radius = component.radius / 2;
     component.origin = ball.centre;
     const Mesh own = moved(mesh, ball.centre);
-    component.distance = SignedDistanceGrid(own, grid_step * component.radius);
+    // No ball of another that touches it has its centre farther away, if it is not the larger one.
+    component.distance = SignedDistanceGrid(own, grid_step * component.radius, 0, most_grid_samples,
+                                            component.radius);
     poles = inscribed(std::move(poles), component, spacing);
     poles.insert(poles.begin(), Ball{Vec3(0), ball.radius});
 

@@ -14,9 +14,10 @@ constexpr std::int32_t none = -1;
 constexpr float unknown = 1e18F; // its square is finite
 
 // Samples all round the mesh, the outermost outside of it.
-VoxelGrid grid_round(const Mesh& mesh, double step, double thickness, std::size_t most) {
+VoxelGrid grid_round(const Mesh& mesh, double step, double thickness, std::size_t most,
+                     double margin) {
     const Box3 box = bounds(mesh);
-    const Imath::V3d extent = Imath::V3d(box.size()) + Imath::V3d(thickness);
+    const Imath::V3d extent = Imath::V3d(box.size()) + Imath::V3d(thickness + 2 * margin);
     VoxelGrid grid;
     for (grid.side = step;; grid.side *= 1.1) {
         for (int axis = 0; axis < 3; ++axis)
@@ -140,8 +141,8 @@ class NearestTriangles {
 } // namespace
 
 SignedDistanceGrid::SignedDistanceGrid(const Mesh& mesh, double step, double thickness,
-                                       std::size_t most)
-    : grid_(grid_round(mesh, step, thickness, most)), first_(Vec3(grid_.centre(0, 0, 0))),
+                                       std::size_t most, double margin)
+    : grid_(grid_round(mesh, step, thickness, most, margin)), first_(Vec3(grid_.centre(0, 0, 0))),
       inverse_step_(static_cast<float>(1 / grid_.side)), values_(grid_.size()) {
     stride_ = {1, std::size_t(grid_.count[0]),
                std::size_t(grid_.count[0]) * std::size_t(grid_.count[1])};

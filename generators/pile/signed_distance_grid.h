@@ -16,9 +16,9 @@ class SignedDistanceGrid {
 
     /// `step` [m] between samples, coarser where there would be over `most` of them. The mesh is
     /// closed, or, with `thickness` [m] > 0, a sheet whose solid reaches half of that to both
-    /// sides.
+    /// sides. Within `margin` [m] of the mesh's box the distance is as good as inside.
     SignedDistanceGrid(const Mesh& mesh, double step, double thickness = 0,
-                       std::size_t most = std::size_t{1} << 22);
+                       std::size_t most = std::size_t{1} << 22, double margin = 0);
 
     /// Signed distance [m] at p; outside of the grid a bound from below that no point of the mesh
     /// is nearer than.
