@@ -43,6 +43,7 @@ enum class Purpose : std::uint32_t {
     pile_turn = 61,
     pile_ray = 62,
     pile_inside = 63,
+    pile_strew = 64,
     pile_shape = 66,
     pile_choice = 67,
 };

@@ -20,7 +20,7 @@ namespace {
 
 // Within which distances must be right: a cell's diagonal, and a little.
 constexpr float margin = 1.75F;
-// Measured: 7 KiB a block for its values, its share of the surface, and what is made of that.
+// About 8 KiB a block for its values, its share of the surface, and what is made of that.
 constexpr std::size_t bytes_per_block = 8192;
 // In cells; beyond, 32-bit coordinates, rounded as metres and as millimetres, might not tell
 // vertices a fiftieth of a cell apart.

@@ -8,6 +8,7 @@
 #include "generators/pile/insertion.h"
 #include "generators/pile/overlap_measure.h"
 #include "generators/pile/pile_problem.h"
+#include "generators/pile/pile_relax.h"
 #include "generators/pile/pile_solid.h"
 #include "generators/pile/pile_specs.h"
 #include "generators/pile/pile_support.h"
@@ -77,9 +78,9 @@ Pile at_start(const Pile& pile) {
     return start;
 }
 
-void add_overlap(const Pile& pile, std::size_t most, Facts& facts) {
+void add_overlap(const Pile& pile, const Pile& start, std::size_t most, Facts& facts) {
     constexpr std::size_t volume_samples = 400;
-    const OverlapMeasure before = measure_overlap(at_start(pile), most, 0);
+    const OverlapMeasure before = measure_overlap(start, most, 0);
     const OverlapMeasure after = measure_overlap(pile, most, volume_samples);
     facts.insert(facts.end(), {{"measured", double(after.measured)},
                                {"start_depth_mean", before.mean_depth},
@@ -160,6 +161,7 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     const auto seed = static_cast<std::uint64_t>(params.integer("seed"));
     const bool thesis = params.text("method") == "thesis";
     const std::optional<SolidFill> solid = solid_fill(params);
+    const std::optional<RelaxSettings> relaxation = relax_settings(params);
     const std::vector<PileKind> kinds = pile_kinds(params);
     const std::optional<OrientationFlow> flow = flow_of(params);
     const PileTurns turns{.kinds = kinds,
@@ -177,7 +179,12 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     const std::optional<Settler> settler = settler_of(params, kinds, *target);
     Pile pile(kinds);
     std::size_t tried = sites.size();
-    if (thesis) {
+    std::optional<Pile> strewn;
+    if (relaxation) {
+        strewn.emplace(kinds);
+        tried = place_relaxed(pile, *strewn, *target, turns, std::move(sites), *relaxation, solid,
+                              params.number("cover"), context);
+    } else if (thesis) {
         place_by_thesis(pile, merge_large_to_small(kinds, sites), thesis_settings(params), context);
     } else if (solid) {
         tried = fill_solid(pile, *target, turns, std::move(sites), *solid,
@@ -212,7 +219,8 @@ Aggregate bake_pile(const Params& params, const Context& context) {
         aggregate.facts.emplace_back("cover", measured_cover(pile, *target, seed));
         if (solid)
             aggregate.facts.emplace_back("fill", filled_share(pile, *target, seed));
-        add_overlap(pile, static_cast<std::size_t>(params.integer("measure")), aggregate.facts);
+        add_overlap(pile, strewn ? *strewn : at_start(pile),
+                    static_cast<std::size_t>(params.integer("measure")), aggregate.facts);
         stages.end("measuring");
     }
     stages.add_to(aggregate.facts);

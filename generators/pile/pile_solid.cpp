@@ -25,7 +25,7 @@ std::optional<SolidFill> solid_fill(const Params& params) {
     }
     if (params.text("method") == "thesis")
         throw params.error("fill", "is \"solid\", but the thesis's method covers surfaces only",
-                           "expected method = \"insertion\" beside it");
+                           "expected method = \"insertion\" or \"relax\" beside it");
     check_closed_target(params, "fill = \"solid\"");
     SolidFill fill{.cover = params.number("cover")};
     if (params.has("shells"))

@@ -154,9 +154,10 @@ std::vector<ParamSpec> pile_specs() {
          .type = ParamType::choice,
          .doc = "insertion: each component moves outwards to the first place where it is free of "
                 "those before it; thesis: the method as published, which counts vertices in "
-                "medial balls and lets meshes overlap.",
+                "medial balls and lets meshes overlap; relax: more than fit are strewn at once, "
+                "pushed apart with all degrees of freedom, and gaps filled by insertion.",
          .fallback = std::string("insertion"),
-         .choices = {"insertion", "thesis"}},
+         .choices = {"insertion", "thesis", "relax"}},
         {.name = "fill",
          .type = ParamType::choice,
          .doc = "surface: the target's skin; solid: its inside too, on shells from the innermost "
@@ -267,6 +268,19 @@ std::vector<ParamSpec> pile_specs() {
          .fallback = 0.2,
          .min = 0.001,
          .max = 0.5},
+        {.name = "iterations",
+         .type = ParamType::integer,
+         .doc = "Of relax: sweeps over all pairs; 60 unless given.",
+         .optional = true,
+         .min = 1.0,
+         .max = 10000.0},
+        {.name = "density",
+         .type = ParamType::number,
+         .doc = "Of relax: the share of the space that what is strewn would fill without overlaps; "
+                "0.5 unless given.",
+         .optional = true,
+         .min = 0.01,
+         .max = 1.0},
         {.name = "measure",
          .type = ParamType::integer,
          .doc = "How many components, evenly taken from all, the overlap is measured at; 0: it is "
