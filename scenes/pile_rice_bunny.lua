@@ -13,7 +13,7 @@ local rice = material.plastic { palette = tones, roughness = 0.22 }
 local bunny = generator.pile {
   target = mesh.file { path = bunny_file, size = mm(150) },
   components = { { shape = grain, material = rice } },
-  spacing = 1, refine = arg("refine", 10), rotation = { 20, 360, 20 },
+  spacing = 1, refine = arg("refine", 11), rotation = { 20, 360, 20 },
   settle = arg("settle", 10), cover = arg("cover", 0.99), seed = arg("seed", 1),
 }
 
