@@ -189,8 +189,9 @@ TEST_F(Cli, BakeDrawsTheLayoutFromAbove) {
     EXPECT_EQ(image.width, 300);
     EXPECT_EQ(image.height, 300);
     const Outcome outcome = run("bake small.lua -o layout.xyz");
-    EXPECT_EQ(outcome.err,
-              "layout.xyz: cannot bake to .xyz; expected one of .json, .svg, .png, .exr\n");
+    EXPECT_EQ(
+        outcome.err,
+        "layout.xyz: cannot bake to .xyz; expected one of .json, .svg, .png, .exr, .stl, .3mf\n");
 }
 
 TEST_F(Cli, AnalyseSaysTheSameOfASceneAndOfItsBakedFile) {
