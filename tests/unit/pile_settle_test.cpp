@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/parallel.h"
 #include "core/random.h"
 #include "generators/pile/cover_target.h"
 #include "tests/unit/pile_test_tools.h"
 
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 namespace scree {
 namespace {
@@ -17,13 +14,7 @@ Mesh rice() { return component_mesh("rice", {}); }
 Mesh ball(double radius) { return component_mesh("sphere", {{"radius", radius}}); }
 Mesh floor_of(double size) { return component_mesh("plane", {{"size", size}}); }
 
-PileKind kind_of(const Mesh& mesh) {
-    return {.component = tests::prepared(mesh),
-            .weight = 1,
-            .spacing = 3,
-            .refine = 2,
-            .rotation = Vec3(2 * pi_f)};
-}
+PileKind kind_of(const Mesh& mesh) { return tests::kind_of(mesh, 3, 2); }
 
 Pile piled(const std::vector<PileKind>& kinds, const Mesh& target, int steps, double cover) {
     Pile pile(kinds);
@@ -154,21 +145,12 @@ TEST(PileSettle, TurnsNoFartherThanAllowed) {
 }
 
 TEST(PileSettle, SameBytesOnAnyNumberOfThreads) {
-    std::vector<Aggregate> piles;
-    for (const int threads : {1, 2, 7}) {
-        const ThreadLimit limit(threads);
+    tests::expect_same_on_any_threads([] {
         Params params = tests::pile_params(ball(0.008), {tests::pile_component(rice())});
         params.set("cover", 0.8);
         params.set("settle", std::int64_t{12});
-        piles.push_back(pile_plugin().make(params, {}));
-    }
-    for (const Aggregate& pile : piles) {
-        ASSERT_EQ(pile.instances.size(), piles[0].instances.size());
-        for (std::size_t i = 0; i < pile.instances.size(); ++i)
-            ASSERT_EQ(std::memcmp(&pile.instances[i].world_from_object,
-                                  &piles[0].instances[i].world_from_object, sizeof(Matrix)),
-                      0);
-    }
+        return pile_plugin().make(params, {});
+    });
 }
 
 } // namespace

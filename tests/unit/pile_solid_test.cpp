@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/parallel.h"
 #include "generators/pile/fill_solid.h"
 #include "generators/pile/offset_shells.h"
 #include "tests/unit/pile_test_tools.h"
 
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 namespace scree {
 namespace {
@@ -109,18 +106,7 @@ TEST(PileSolid, CutLeavesWhatIsBelowThePlane) {
 }
 
 TEST(PileSolid, SameBytesOnAnyNumberOfThreads) {
-    std::vector<Aggregate> piles;
-    for (const int threads : {1, 2, 7}) {
-        const ThreadLimit limit(threads);
-        piles.push_back(pile_plugin().make(solid_params(0.008), {}));
-    }
-    for (const Aggregate& pile : piles) {
-        ASSERT_EQ(pile.instances.size(), piles[0].instances.size());
-        for (std::size_t i = 0; i < pile.instances.size(); ++i)
-            ASSERT_EQ(std::memcmp(&pile.instances[i].world_from_object,
-                                  &piles[0].instances[i].world_from_object, sizeof(Matrix)),
-                      0);
-    }
+    tests::expect_same_on_any_threads([] { return pile_plugin().make(solid_params(0.008), {}); });
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
-#include "core/parallel.h"
 #include "core/random.h"
 #include "generators/pile/cover_target.h"
 #include "generators/pile/mesh_rays.h"
@@ -9,13 +8,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 namespace scree {
 namespace {
 
 using tests::component_mesh;
 using tests::fact;
+using tests::kind_of;
 
 Mesh rice() { return component_mesh("rice", {}); }
 Mesh cube() {
@@ -29,14 +27,6 @@ Aggregate bake(Params params) { return pile_plugin().make(params, {}); }
 Params turned_anyhow(Params params) {
     params.set("rotation", Vec3(2 * pi_f));
     return params;
-}
-
-PileKind kind_of(const Mesh& mesh, double spacing, double refine) {
-    return {.component = tests::prepared(mesh),
-            .weight = 1,
-            .spacing = spacing,
-            .refine = refine,
-            .rotation = Vec3(2 * pi_f)};
 }
 
 Imath::V3d to_object(const Instance& instance, const Imath::V3d& p) {
@@ -117,24 +107,15 @@ TEST(Pile, EachTouchesTheTargetOrAnother) {
 
 TEST(Pile, SameBytesOnAnyNumberOfThreads) {
     for (const char* method : {"insertion", "thesis"}) {
-        std::vector<Aggregate> piles;
-        for (const int threads : {1, 2, 7}) {
-            const ThreadLimit limit(threads);
+        SCOPED_TRACE(method);
+        tests::expect_same_on_any_threads([&] {
             Params params = tests::pile_params(
                 ball(0.008), {tests::pile_component(rice()), tests::pile_component(cube())});
             params.set("method", std::string(method));
             params.set("spacing", 2.5);
             params.set("cover", 0.8);
-            piles.push_back(bake(std::move(params)));
-        }
-        for (const Aggregate& pile : piles) {
-            ASSERT_EQ(pile.instances.size(), piles[0].instances.size()) << method;
-            for (std::size_t i = 0; i < pile.instances.size(); ++i)
-                ASSERT_EQ(std::memcmp(&pile.instances[i].world_from_object,
-                                      &piles[0].instances[i].world_from_object, sizeof(Matrix)),
-                          0)
-                    << method;
-        }
+            return bake(std::move(params));
+        });
     }
 }
 

@@ -2,11 +2,15 @@
 // Components and brute-force measures for the tests of generator.pile.
 #pragma once
 
-#include "generators/pile/pile_component.h"
+#include "core/parallel.h"
 #include "generators/pile/pile_generator.h"
+#include "generators/pile/pile_kind.h"
 #include "tests/layout_params.h"
 #include "tests/plugin_params.h"
 
+#include <gtest/gtest.h>
+
+#include <cstring>
 #include <limits>
 
 namespace scree::tests {
@@ -19,6 +23,15 @@ inline PileComponent prepared(Mesh mesh, double thickness = 0) {
     Prototype prototype;
     prototype.mesh = std::make_shared<const Mesh>(std::move(mesh));
     return prepare_component(std::move(prototype), thickness);
+}
+
+/// Turned anyhow.
+inline PileKind kind_of(const Mesh& mesh, double spacing, double refine) {
+    return {.component = prepared(mesh),
+            .weight = 1,
+            .spacing = spacing,
+            .refine = refine,
+            .rotation = Vec3(2 * pi_f)};
 }
 
 /// Distance from p to a triangle, by Lagrange: the least of the plane's foot, where it is inside,
@@ -84,6 +97,23 @@ inline double fact(const Aggregate& aggregate, const std::string& name) {
         if (key == name)
             return value;
     throw std::logic_error("there is no fact " + name);
+}
+
+/// Expects instances of the same bytes from all that `bake()` makes on 1, 2 and 7 threads.
+template <class Bake>
+void expect_same_on_any_threads(const Bake& bake) {
+    std::vector<Aggregate> piles;
+    for (const int threads : {1, 2, 7}) {
+        const ThreadLimit limit(threads);
+        piles.push_back(bake());
+    }
+    for (const Aggregate& pile : piles) {
+        ASSERT_EQ(pile.instances.size(), piles[0].instances.size());
+        for (std::size_t i = 0; i < pile.instances.size(); ++i)
+            ASSERT_EQ(std::memcmp(&pile.instances[i].world_from_object,
+                                  &piles[0].instances[i].world_from_object, sizeof(Matrix)),
+                      0);
+    }
 }
 
 } // namespace scree::tests

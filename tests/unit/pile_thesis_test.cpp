@@ -13,17 +13,11 @@
 namespace scree {
 namespace {
 
+using tests::kind_of;
+
 Mesh cube(double size) {
     return tests::component_mesh(
         "box", {{"width", size}, {"height", size}, {"depth", size}, {"rounding", 0.0}});
-}
-
-PileKind kind_of(const Mesh& mesh, double spacing, double refine) {
-    return {.component = tests::prepared(mesh),
-            .weight = 1,
-            .spacing = spacing,
-            .refine = refine,
-            .rotation = Vec3(2 * pi_f)};
 }
 
 TEST(PileThesis, GoldenSectionFindsTheOnlyMinimum) {
