@@ -208,8 +208,10 @@ static inline float deviation_along(CellView view, Triple v) {
 #define CELLS_DEVIATIONS 1.9f
 #define CELLS_MARGIN 0.45f
 
+// It is more than 0 for a point too: what no border was found for lies well beyond the gap along
+// borders, not on its edge.
 static inline float border_margin(CellView view) {
-    return fmin(CELLS_DEVIATIONS * 0.28867513f * view.width, CELLS_MARGIN);
+    return limited(CELLS_DEVIATIONS * 0.28867513f * view.width, 1e-5f, CELLS_MARGIN);
 }
 
 // Beyond some cells' width a filter sees nothing but means: 0 to 1.
@@ -292,20 +294,3 @@ static inline float border_distance(const Seeds* seeds, float none, Triple* inwa
     }
     return distance;
 }
-
-// A mean over the filter's parts of what `part(field, settings, position, across, along, random)`
-// answers for each: one answer would leave out what a drawn-out filter's narrow side resolves.
-#define MEAN_OF_PARTS(part, field, settings, point)                                                \
-    if (!settings->filtered)                                                                       \
-        point.across = point.along = triple(0.0f, 0.0f, 0.0f);                                     \
-    const int parts = filter_parts(point.across, point.along);                                     \
-    SolidSample mean = no_sample();                                                                \
-    const float share = 1.0f / (float)parts;                                                       \
-    for (int i = 0; i < parts; ++i) {                                                              \
-        const float shift = ((float)i + 0.5f) * share - 0.5f;                                      \
-        add_sample(&mean,                                                                          \
-                   part(field, settings, plus(point.position, scaled(point.along, shift)),         \
-                        point.across, scaled(point.along, share), point.random),                   \
-                   share);                                                                         \
-    }                                                                                              \
-    return mean;

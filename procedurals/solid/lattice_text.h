@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/float4.h"
 #include "procedurals/solid/text_as_cpp.h"
 
 #define global

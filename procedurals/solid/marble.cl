@@ -17,20 +17,20 @@ typedef struct {
 
 typedef struct {
     Placement placement;
-    Triple axis;      // the veins' common normal, unit
-    float start;      // the coordinate along the axis is inner(axis, position) - start [m]
-    float push;       // k: displacement along the axis per unit of D [m]
-    float period;     // [m]; 0: the veins stand there once
+    Triple axis;          // the veins' common normal, unit
+    float start;          // the coordinate along the axis is inner(axis, position) - start [m]
+    float push;           // k: displacement along the axis per unit of D [m]
+    float period;         // [m]; 0: the veins stand there once
     float start_of_table; // along the axis [m]
-    float length;     // of the table: the period, or all veins and as much again around them [m]
-    float mean;       // of the profile over that length
-    float strength;   // of the colour where the profile is 1
-    int iterations;   // of the displacement's inverse; 0: first order
+    float length;   // of the table: the period, or all veins and as much again around them [m]
+    float mean;     // of the profile over that length
+    float strength; // of the colour where the profile is 1
+    int iterations; // of the displacement's inverse; 0: first order
     int veins;
     Triple color;
     Vein vein[MARBLE_MOST_VEINS];
-    // The profile at even points of the length, then convolved with Gaussians, each level with twice
-    // the deviation of the one before.
+    // The profile at even points of the length, then convolved with Gaussians, each level with
+    // twice the deviation of the one before.
     float table[3 * PROFILE_POINTS];
 } VeinLayer;
 
@@ -38,8 +38,8 @@ typedef struct {
     Placement cloud_placement;
     Triple filler;
     Triple cloud;
-    float cloudiness; // share of the cloud's colour where it is thickest
-    float depth;      // veins stand out by so much; negative: they lie deeper [m]
+    float cloudiness;       // share of the cloud's colour where it is thickest
+    float depth;            // veins stand out by so much; negative: they lie deeper [m]
     float filler_roughness; // below 0: the material's own
     float vein_roughness;
     int filtered;
@@ -78,8 +78,7 @@ static inline float table_row(global const float* row, int points, float place, 
 
 // The same seen through a Gaussian, from the layer's table, whose levels are mixed in between by
 // the deviation.
-static inline float veins_table(global const VeinLayer* layer, float z, float sigma,
-                                float* slope) {
+static inline float veins_table(global const VeinLayer* layer, float z, float sigma, float* slope) {
     const float turns = (z - layer->start_of_table) / layer->length;
     if (layer->period == 0.0f && !(turns >= 0.0f && turns < 1.0f))
         return 0.0f;
@@ -115,7 +114,7 @@ static inline float layer_value(Field field, global const VeinLayer* layer, Trip
     Triple p = position, u = across, v = along, gradient = axis;
     float variance = 0.0f;
     for (int i = 0; i <= layer->iterations; ++i) {
-        const Fluctuation d = 
+        const Fluctuation d =
             fluctuation_at(field, &placement, p, filter_width(&placement, u, v), random);
         const float shift = layer->push * d.value;
         gradient = minus(axis, scaled(d.gradient, layer->push));
@@ -128,8 +127,8 @@ static inline float layer_value(Field field, global const VeinLayer* layer, Trip
     float steepness = 0.0f;
     const float z = inner(axis, p) - layer->start;
     const float sigma = sqrt(variance);
-    const float value = sigma > 0.0f ? veins_table(layer, z, sigma, &steepness)
-                                     : veins_sum(layer, z, &steepness);
+    const float value =
+        sigma > 0.0f ? veins_table(layer, z, sigma, &steepness) : veins_sum(layer, z, &steepness);
     *slope = scaled(gradient, steepness);
     return value;
 }
@@ -146,15 +145,14 @@ static inline SolidSample marble_part(Field field, global const Marble* marble, 
                                             1.0f / (float)(1 << field.lattice->levels)),
                                        random)
                             .value;
-        sample.color = mixed3(sample.color, marble->cloud,
-                              marble->cloudiness * smooth(-1.2f, 1.2f, d));
+        sample.color =
+            mixed3(sample.color, marble->cloud, marble->cloudiness * smooth(-1.2f, 1.2f, d));
     }
     float clear = 1.0f; // of all veins
     for (int i = 0; i < marble->layers; ++i) {
         global const VeinLayer* layer = &marble->layer[i];
         Triple slope;
-        const float value =
-            layer_value(field, layer, position, across, along, random, &slope);
+        const float value = layer_value(field, layer, position, across, along, random, &slope);
         sample.color = mixed3(sample.color, layer->color, value * layer->strength);
         sample.slope = plus(scaled(sample.slope, 1.0f - value), scaled(slope, clear));
         clear *= 1.0f - value;
@@ -167,20 +165,5 @@ static inline SolidSample marble_part(Field field, global const Marble* marble, 
 }
 
 static inline SolidSample marble_at(Field field, global const Marble* marble, SolidPoint point) {
-    if (!marble->filtered)
-        point.across = point.along = triple(0.0f, 0.0f, 0.0f);
-    const int parts = filter_parts(point.across, point.along);
-    if (parts == 1)
-        return marble_part(field, marble, point.position, point.across, point.along,
-                           point.random);
-    SolidSample mean = no_sample();
-    const float share = 1.0f / (float)parts;
-    for (int i = 0; i < parts; ++i) {
-        const float shift = ((float)i + 0.5f) * share - 0.5f;
-        add_sample(&mean,
-                   marble_part(field, marble, plus(point.position, scaled(point.along, shift)),
-                               point.across, scaled(point.along, share), point.random),
-                   share);
-    }
-    return mean;
+    MEAN_OF_PARTS(marble_part, field, marble, point)
 }

@@ -3,16 +3,16 @@
 // in the object, and the filters that take the place of supersampling. Needs lattice.cl.
 
 typedef struct {
-    Triple position;  // in the object's frame [m]
-    Triple across;    // the filter's two sides, at right angles [m]: see ShadingPoint
+    Triple position; // in the object's frame [m]
+    Triple across;   // the filter's two sides, at right angles [m]: see ShadingPoint
     Triple along;
-    float random;     // of the instance, in [0, 1)
+    float random; // of the instance, in [0, 1)
 } SolidPoint;
 
 typedef struct {
     Triple color;
-    Triple slope; // of the bump height
-    float height; // [m]
+    Triple slope;    // of the bump height
+    float height;    // [m]
     float roughness; // below 0: none
     float value;
 } SolidSample;
@@ -84,8 +84,7 @@ static inline float filter_variance(Triple gradient, Triple across, Triple along
 static inline float scaled_erfc(float x) {
     const float t = 1.0f / (1.0f + 0.3275911f * x);
     return t * (0.254829592f +
-                t * (-0.284496736f +
-                     t * (1.421413741f + t * (-1.453152027f + t * 1.061405429f))));
+                t * (-0.284496736f + t * (1.421413741f + t * (-1.453152027f + t * 1.061405429f))));
 }
 
 // The normal distribution's share below x, and its density, at unit variance.
@@ -121,3 +120,22 @@ static inline SolidSample no_sample(void) {
     s.value = 0.0f;
     return s;
 }
+
+// A mean over the filter's parts of what `part(field, settings, position, across, along, random)`
+// answers for each: one answer would leave out what a drawn-out filter's narrow side resolves.
+#define MEAN_OF_PARTS(part, field, settings, point)                                                \
+    if (!settings->filtered)                                                                       \
+        point.across = point.along = triple(0.0f, 0.0f, 0.0f);                                     \
+    const int parts = filter_parts(point.across, point.along);                                     \
+    if (parts == 1)                                                                                \
+        return part(field, settings, point.position, point.across, point.along, point.random);     \
+    SolidSample mean = no_sample();                                                                \
+    const float share = 1.0f / (float)parts;                                                       \
+    for (int i = 0; i < parts; ++i) {                                                              \
+        const float shift = ((float)i + 0.5f) * share - 0.5f;                                      \
+        add_sample(&mean,                                                                          \
+                   part(field, settings, plus(point.position, scaled(point.along, shift)),         \
+                        point.across, scaled(point.along, share), point.random),                   \
+                   share);                                                                         \
+    }                                                                                              \
+    return mean;

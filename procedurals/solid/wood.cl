@@ -1,49 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wood: annual rings about a pith, pushed about by the fractal field (Okada et al. 1987, eqs. 10-12),
-// with what the paper leaves out: years of uneven width, early and late wood, knots, fibres,
-// vessels and rays. Needs solid.cl.
+// Wood: annual rings about a pith, pushed about by the fractal field (Okada et al. 1987, eqs.
+// 10-12), with what the paper leaves out: years of uneven width, early and late wood, knots,
+// fibres, vessels and rays. Needs solid.cl.
 
 typedef struct {
-    Placement placement;   // of the rings' fluctuation
+    Placement placement; // of the rings' fluctuation
     Placement fibre_placement;
-    Triple right, up;      // across the trunk, drawn out where its section is an ellipse
-    Triple axis;           // along it, unit
-    Triple origin;         // on the pith [m]
+    Triple right, up; // across the trunk, drawn out where its section is an ellipse
+    Triple axis;      // along it, unit
+    Triple origin;    // on the pith [m]
     uint key;
     int filtered;
     int iterations;
 
-    float push;            // k: radial displacement per unit of D [m]
-    float ring;            // mean width of a year [m]
-    float ring_variation;  // how far a year's end may lie off, in years; below 0.5
-    float tint_variation;  // of late wood's share of its colour between years
-    float asymmetry;       // rings are wider by so much on one side
-    float wander;          // of the pith [m]
-    float wander_rate;     // [rad/m]
+    float push;           // k: radial displacement per unit of D [m]
+    float ring;           // mean width of a year [m]
+    float ring_variation; // how far a year's end may lie off, in years; below 0.5
+    float tint_variation; // of late wood's share of its colour between years
+    float asymmetry;      // rings are wider by so much on one side
+    float wander;         // of the pith [m]
+    float wander_rate;    // [rad/m]
 
-    int sine;              // the paper's profile
-    float early_end;       // late wood begins to form; in shares of a year
-    float late_begin;      // it is full
-    float late_end;        // it ends; winter lasts to 1
+    int sine;         // the paper's profile
+    float early_end;  // late wood begins to form; in shares of a year
+    float late_begin; // it is full
+    float late_end;   // it ends; winter lasts to 1
 
-    float knot_spacing;    // mean distance along the trunk [m]; 0: none
-    float knot_growth;     // of a branch's radius against the trunk's
-    float fibre;           // contrast of streaks along the grain
+    float knot_spacing; // mean distance along the trunk [m]; 0: none
+    float knot_growth;  // of a branch's radius against the trunk's
+    float fibre;        // contrast of streaks along the grain
 
-    float pore_share;      // of cells that hold a vessel; 0: none
-    float pore_cell;       // mean distance of vessels [m]
-    float pore_radius;     // in cells, at most 0.5
-    float pore_length;     // [m]
-    float ring_porous;     // 1: vessels in early wood alone
+    float pore_share;  // of cells that hold a vessel; 0: none
+    float pore_cell;   // mean distance of vessels [m]
+    float pore_radius; // in cells, at most 0.5
+    float pore_length; // [m]
+    float ring_porous; // 1: vessels in early wood alone
 
-    float ray_share;       // 0: none
-    float ray_cell;        // mean distance along the circumference [m]
-    float ray_width;       // [m]
-    float ray_height;      // [m]
+    float ray_share;  // 0: none
+    float ray_cell;   // mean distance along the circumference [m]
+    float ray_width;  // [m]
+    float ray_height; // [m]
 
-    float sapwood;         // radius where sapwood begins [m]; 0: none
-    float late_height;     // late wood stands out [m]
-    float pore_depth;      // [m]
+    float sapwood;                         // radius where sapwood begins [m]; 0: none
+    float late_height;                     // late wood stands out [m]
+    float pore_depth;                      // [m]
     float early_roughness, late_roughness; // below 0: the material's own
 
     Triple early, late, sap, knot, pore, ray;
@@ -94,8 +94,8 @@ static inline float year_profile(global const Wood* wood, float phase, float sig
             continue;
         const float za = (x - a) / sigma, zb = (x - b) / sigma;
         const float zc = (x - c) / sigma, zd = (x - 1.0f) / sigma;
-        sum += sigma * (rise * (soft_ramp(za) - soft_ramp(zb)) -
-                        fall * (soft_ramp(zc) - soft_ramp(zd)));
+        sum += sigma *
+               (rise * (soft_ramp(za) - soft_ramp(zb)) - fall * (soft_ramp(zc) - soft_ramp(zd)));
         *slope += rise * (normal_share(za) - normal_share(zb)) -
                   fall * (normal_share(zc) - normal_share(zd));
     }
@@ -142,8 +142,8 @@ static inline void add_knots(global const Wood* wood, Triple from_pith, float he
 }
 
 // The paper's radial displacement about an uneven trunk.
-static inline Growth growth_at(Field field, global const Wood* wood, Triple position,
-                               Triple across, Triple along, float random) {
+static inline Growth growth_at(Field field, global const Wood* wood, Triple position, Triple across,
+                               Triple along, float random) {
     const Placement placement = wood->placement;
     const Triple v = minus(position, wood->origin);
     const float height = inner(v, wood->axis);
@@ -166,8 +166,8 @@ static inline Growth growth_at(Field field, global const Wood* wood, Triple posi
         p = minus(position, scaled(radial, wood->push * d.value));
     }
     growth.radius = r + wood->asymmetry * x - wood->push * d.value;
-    growth.gradient = plus(scaled(plus(scaled(dx, x), scaled(dy, y)), 1.0f / r),
-                           scaled(dx, wood->asymmetry));
+    growth.gradient =
+        plus(scaled(plus(scaled(dx, x), scaled(dy, y)), 1.0f / r), scaled(dx, wood->asymmetry));
     growth.gradient = minus(growth.gradient, scaled(d.gradient, wood->push));
     growth.variance = square(wood->push) * d.variance;
     if (wood->knot_spacing > 0.0f)
@@ -216,8 +216,8 @@ static inline float pores(global const Wood* wood, Triple v, float early, float 
             continue;
         clear *= 1.0f - normal_share(z);
         const float steep = normal_density(z) / (sigma * wood->pore_cell * away);
-        *slope = plus(*slope, scaled(plus(scaled(wood->right, px), scaled(wood->up, py)),
-                                     resolved * steep));
+        *slope = plus(
+            *slope, scaled(plus(scaled(wood->right, px), scaled(wood->up, py)), resolved * steep));
     }
     return mixed(mean, 1.0f - clear, resolved);
 }
@@ -262,8 +262,8 @@ static inline float rays(global const Wood* wood, Triple v, float blur) {
 
 // Deviation of the filter across the trunk [m].
 static inline float blur_across(global const Wood* wood, Triple across, Triple along) {
-    const float variance = filter_variance(wood->right, across, along) +
-                           filter_variance(wood->up, across, along);
+    const float variance =
+        filter_variance(wood->right, across, along) + filter_variance(wood->up, across, along);
     return sqrt(0.5f * variance);
 }
 
@@ -287,18 +287,18 @@ static inline SolidSample wood_part(Field field, global const Wood* wood, Triple
     const float sigma = sqrt(growth.variance) / (wood->ring * width);
     float steepness = 0.0f;
     const float late = year_profile(wood, phase, sigma, &steepness);
-    const float tint = mixed(unit_of(wood_hash(wood->key, 8U, (uint)year, 9U)),
-                             unit_of(wood_hash(wood->key, 8U, (uint)(year + 1), 9U)),
-                             smooth(0.0f, 1.0f, phase));
+    const float tint =
+        mixed(unit_of(wood_hash(wood->key, 8U, (uint)year, 9U)),
+              unit_of(wood_hash(wood->key, 8U, (uint)(year + 1), 9U)), smooth(0.0f, 1.0f, phase));
     SolidSample sample = no_sample();
     sample.value = late * (1.0f - wood->tint_variation * tint);
     sample.color = mixed3(wood->early, wood->late, sample.value);
     if (wood->sapwood > 0.0f)
-        sample.color = mixed3(sample.color,
-                              triple(wood->sap.x * sample.color.x, wood->sap.y * sample.color.y,
-                                     wood->sap.z * sample.color.z),
-                              smooth(wood->sapwood - wood->ring, wood->sapwood + wood->ring,
-                                     growth.radius));
+        sample.color =
+            mixed3(sample.color,
+                   triple(wood->sap.x * sample.color.x, wood->sap.y * sample.color.y,
+                          wood->sap.z * sample.color.z),
+                   smooth(wood->sapwood - wood->ring, wood->sapwood + wood->ring, growth.radius));
     sample.height = wood->late_height * sample.value;
     sample.slope = scaled(growth.gradient, wood->late_height * steepness / (wood->ring * width));
     const Triple v = minus(position, wood->origin);
@@ -307,13 +307,11 @@ static inline SolidSample wood_part(Field field, global const Wood* wood, Triple
         const float d = fluctuation_at(field, &placement, position,
                                        filter_width(&placement, across, along), random)
                             .value;
-        sample.color =
-            scaled(sample.color, 1.0f + wood->fibre * (0.5f - smooth(-1.6f, 1.6f, d)));
+        sample.color = scaled(sample.color, 1.0f + wood->fibre * (0.5f - smooth(-1.6f, 1.6f, d)));
     }
     const float blur = blur_across(wood, across, along);
     if (wood->ray_share > 0.0f)
-        sample.color =
-            mixed3(sample.color, wood->ray, rays(wood, v, blur) * (1.0f - growth.knot));
+        sample.color = mixed3(sample.color, wood->ray, rays(wood, v, blur) * (1.0f - growth.knot));
     if (wood->pore_share > 0.0f) {
         Triple slope = triple(0.0f, 0.0f, 0.0f);
         const float early = (1.0f - late) * (1.0f - growth.knot);
@@ -331,19 +329,5 @@ static inline SolidSample wood_part(Field field, global const Wood* wood, Triple
 }
 
 static inline SolidSample wood_at(Field field, global const Wood* wood, SolidPoint point) {
-    if (!wood->filtered)
-        point.across = point.along = triple(0.0f, 0.0f, 0.0f);
-    const int parts = filter_parts(point.across, point.along);
-    if (parts == 1)
-        return wood_part(field, wood, point.position, point.across, point.along, point.random);
-    SolidSample mean = no_sample();
-    const float share = 1.0f / (float)parts;
-    for (int i = 0; i < parts; ++i) {
-        const float shift = ((float)i + 0.5f) * share - 0.5f;
-        add_sample(&mean,
-                   wood_part(field, wood, plus(point.position, scaled(point.along, shift)),
-                             point.across, scaled(point.along, share), point.random),
-                   share);
-    }
-    return mean;
+    MEAN_OF_PARTS(wood_part, field, wood, point)
 }

@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "procedurals/table.h"
 #include "tests/plugin_params.h"
+#include "tests/shading_difference.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@ namespace scree {
 
 namespace {
 
+using tests::difference;
 using Values = std::map<std::string, Value>;
 
 std::vector<ShadingPoint> scattered_points(std::size_t count, float extent) {
@@ -35,18 +37,6 @@ std::vector<ShadingPoint> scattered_points(std::size_t count, float extent) {
         point.random = float(random.uniform());
     }
     return points;
-}
-
-/// Largest difference over all points, of colour, value, roughness, and of slopes against their
-/// own size.
-double difference(const ShadingSample& a, const ShadingSample& b) {
-    double d = std::abs(double(a.value) - double(b.value));
-    for (int k = 0; k < 3; ++k) {
-        d = std::max(d, std::abs(double(a.color[k]) - double(b.color[k])));
-        d = std::max(d, std::abs(double(a.slope[k]) - double(b.slope[k])) /
-                            (1 + double(a.slope.length())));
-    }
-    return std::max(d, std::abs(double(a.roughness) - double(b.roughness)));
 }
 
 void expect_device_agrees(const std::string& name, const Values& values) {

@@ -5,6 +5,7 @@
 #include "core/random.h"
 #include "procedurals/table.h"
 #include "tests/plugin_params.h"
+#include "tests/shading_difference.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,7 @@ namespace scree {
 
 namespace {
 
+using tests::difference;
 using Values = std::map<std::string, Value>;
 
 /// One of the textures in one of its presets, and how wide the cells are that one sees first [m].
@@ -97,16 +99,6 @@ std::vector<ShadingPoint> scattered_points(std::size_t count, double extent, Ran
     return points;
 }
 
-double difference(const ShadingSample& a, const ShadingSample& b) {
-    double d = std::abs(double(a.value) - double(b.value));
-    for (int k = 0; k < 3; ++k) {
-        d = std::max(d, std::abs(double(a.color[k]) - double(b.color[k])));
-        d = std::max(d, std::abs(double(a.slope[k]) - double(b.slope[k])) /
-                            (1 + double(a.slope.length())));
-    }
-    return std::max(d, std::abs(double(a.roughness) - double(b.roughness)));
-}
-
 /// Sums of squares and of errors, of points and of the filter, against means of 4096 points.
 struct FilterErrors {
     double point = 0, filtered = 0, bias = 0;
@@ -161,6 +153,21 @@ TEST(SolidMaterials, FiltersComeNearTheMeanOfManyPoints) {
             EXPECT_LT(std::abs(bias), 0.1 * point + 3 * filtered / std::sqrt(sums.places)) << where;
         }
     }
+}
+
+TEST_P(SolidMaterial, LooksTheSameToAPointAndToANarrowFilter) {
+    // Unpushed, a point has no width of any kind: nothing may divide by it.
+    const auto procedural = made(GetParam(), {{"turbulence", Value(0.0)}});
+    Random random(23, Purpose::test);
+    constexpr int places = 2000;
+    int differ = 0;
+    for (int i = 0; i < places; ++i) {
+        const ShadingPoint filter = filter_at(place(random, 0.2), 1e-6, 1, random);
+        const double one = lightness(sample_of(*procedural, filter)),
+                     other = lightness(sample_of(*procedural, point_at(filter.position)));
+        differ += std::abs(one - other) > 0.02;
+    }
+    EXPECT_LE(differ, places / 200); // on borders
 }
 
 TEST_P(SolidMaterial, SlopeIsTheHeightsGradient) {
