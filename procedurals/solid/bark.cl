@@ -7,7 +7,7 @@
 typedef struct {
     Push push;
     Triple axis;
-    float start;   // [m]
+    float start;     // [m]
     Triple color[2]; // of flakes, which lie between them
     Triple fissure;
     Creases fissures[BARK_MOST_FISSURES];
@@ -43,9 +43,9 @@ static inline void add_fissures(global const Bark* bark, Pushed at, Seeds* seeds
         const Crease crease =
             crease_at(cell_view(cells, at), cells->jitter, bark->fissures[i].softness, seeds);
         sample->height -= bark->depth[i] * crease.value;
-        sample->slope = minus(sample->slope,
-                              scaled(gradient_before(at, gradient_of_cells(cells, crease.slope)),
-                                     bark->depth[i]));
+        sample->slope =
+            minus(sample->slope, scaled(gradient_before(at, gradient_of_cells(cells, crease.slope)),
+                                        bark->depth[i]));
         *lost += square(bark->depth[i]) * crease.lost * cells->squares.x;
         clear *= 1.0f - bark->dark[i] * fmin(crease.value, 1.0f);
     }
@@ -53,10 +53,11 @@ static inline void add_fissures(global const Bark* bark, Pushed at, Seeds* seeds
     sample->color = mixed3(bark->fissure, sample->color, clear);
 }
 
-static inline void add_flakes(global const Bark* bark, Pushed at, Seeds* seeds,
-                              SolidSample* sample, float* lost) {
+static inline void add_flakes(global const Bark* bark, Pushed at, Seeds* seeds, SolidSample* sample,
+                              float* lost) {
     global const Cells* cells = &bark->flakes.cells;
-    const Crease flake = crease_at(cell_view(cells, at), cells->jitter, bark->flakes.softness, seeds);
+    const Crease flake =
+        crease_at(cell_view(cells, at), cells->jitter, bark->flakes.softness, seeds);
     sample->color = mixed3(bark->color[0], bark->color[1], flake.level);
     sample->height = bark->flake_height * flake.level;
     sample->slope = scaled(gradient_before(at, gradient_of_cells(cells, flake.level_slope)),
@@ -90,8 +91,8 @@ static inline SolidSample bark_part(Field field, global const Bark* bark, Triple
         sample.color = mixed3(sample.color, bark->band, bark->band_share * band.value);
     }
     if (bark->lichen_share > 0.0f)
-        sample.color = mixed3(sample.color, bark->lichen,
-                              bark->lichen_share * smooth(-0.2f, 1.6f, at.field));
+        sample.color =
+            mixed3(sample.color, bark->lichen, bark->lichen_share * smooth(-0.2f, 1.6f, at.field));
     add_marks(&bark->pores, at, bark->pore, bark->pore_height, &seeds, &sample);
     add_fissures(bark, at, &seeds, &sample, &lost);
     add_marks(&bark->scars, at, bark->scar, bark->scar_height, &seeds, &sample);
@@ -99,9 +100,9 @@ static inline SolidSample bark_part(Field field, global const Bark* bark, Triple
     const float before = sample.height;
     hew(field, &bark->hewn, position, across, along, random, &sample);
     if (bark->fibre > 0.0f && bark->hewn.height > 0.0f)
-        sample.color = scaled(sample.color, fmax(1.0f + bark->fibre * (sample.height - before) /
-                                                            bark->hewn.height,
-                                                 0.0f));
+        sample.color =
+            scaled(sample.color,
+                   fmax(1.0f + bark->fibre * (sample.height - before) / bark->hewn.height, 0.0f));
     return sample;
 }
 

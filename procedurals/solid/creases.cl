@@ -67,8 +67,7 @@ static inline Crease crease_at(CellView view, float jitter, float softness, Seed
     crease.value += scale * (2.0f * (1.0f - squares) - crease_mean(wide));
     crease.slope = scaled(minus(weighted, scaled(mean, squares)), -8.0f / wide * scale);
     crease.level = mixed(level, 0.5f, blur);
-    crease.level_slope =
-        scaled(minus(levelled, scaled(mean, level)), 2.0f / wide * (1.0f - blur));
+    crease.level_slope = scaled(minus(levelled, scaled(mean, level)), 2.0f / wide * (1.0f - blur));
     crease.lost -= square(scale) * crease_mean_slope(wide);
     return crease;
 }

@@ -9,9 +9,8 @@ typedef struct {
     Grains grains;
 } Granite;
 
-static inline SolidSample granite_part(Field field, global const Granite* granite,
-                                       Triple position, Triple across, Triple along,
-                                       float random) {
+static inline SolidSample granite_part(Field field, global const Granite* granite, Triple position,
+                                       Triple across, Triple along, float random) {
     const Pushed at = pushed(field, &granite->push, position, across, along, random);
     Seeds seeds;
     float covered;
@@ -20,7 +19,6 @@ static inline SolidSample granite_part(Field field, global const Granite* granit
     return sample;
 }
 
-static inline SolidSample granite_at(Field field, global const Granite* granite,
-                                     SolidPoint point) {
+static inline SolidSample granite_at(Field field, global const Granite* granite, SolidPoint point) {
     MEAN_OF_PARTS(granite_part, field, granite, point)
 }
