@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/albedo_table.h"
 
-#include "core/parallel.h"
 #include "render/fresnel.h"
 #include "render/ggx.h"
 
@@ -37,9 +36,6 @@ float single_bounce(float cosine, float alpha, float ior) {
     return static_cast<float>(sum / (weights * samples_per_side));
 }
 
-// Between so many tables a straight line is within 0.2% of the share reflected.
-constexpr int roughness_steps = 32;
-
 } // namespace
 
 AlbedoTable::AlbedoTable(float alpha, float ior) {
@@ -60,18 +56,18 @@ AlbedoTable::AlbedoTable(float alpha, float ior) {
     average_ = static_cast<float>(2 * sum);
 }
 
-RoughnessTables::RoughnessTables(float ior) : tables_(roughness_steps + 1) {
-    parallel_for(tables_.size(), 1, [&](std::size_t i) {
-        const float roughness = static_cast<float>(i) / roughness_steps;
-        tables_[i] = AlbedoTable(ggx::alpha(roughness), ior);
+const AlbedoTable* RoughnessTables::table(int step) const {
+    LazyTable& lazy = tables_[static_cast<std::size_t>(step)];
+    std::call_once(lazy.made, [&] {
+        lazy.table = AlbedoTable(ggx::alpha(static_cast<float>(step) / steps), ior_);
     });
+    return &lazy.table;
 }
 
 Albedo RoughnessTables::at(float roughness) const {
-    const float position = std::clamp(roughness, 0.0F, 1.0F) * roughness_steps;
-    const int step = std::min(static_cast<int>(position), roughness_steps - 1);
-    const auto i = static_cast<std::size_t>(step);
-    return {&tables_[i], &tables_[i + 1], position - static_cast<float>(step)};
+    const float position = std::clamp(roughness, 0.0F, 1.0F) * steps;
+    const int step = std::min(static_cast<int>(position), steps - 1);
+    return {table(step), table(step + 1), position - static_cast<float>(step)};
 }
 
 } // namespace scree

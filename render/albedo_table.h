@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <vector>
+#include <mutex>
 
 namespace scree {
 
@@ -58,14 +58,24 @@ class Albedo {
 /// The tables of all roughnesses, for surfaces on which it goes by place.
 class RoughnessTables {
   public:
-    /// `ior` as in AlbedoTable. A twentieth of a second of work, on all threads.
-    explicit RoughnessTables(float ior);
+    /// `ior` as in AlbedoTable.
+    explicit RoughnessTables(float ior) : ior_(ior) {}
 
-    /// `roughness` in [0, 1]; good for as long as this lives.
+    /// `roughness` in [0, 1]; good for as long as this lives. Thread-safe: a table is made when it
+    /// is first asked for, which takes milliseconds.
     Albedo at(float roughness) const;
 
   private:
-    std::vector<AlbedoTable> tables_; // evenly over the roughness
+    // Between so many tables a straight line is within 0.2% of the share reflected.
+    static constexpr int steps = 32;
+    struct LazyTable {
+        std::once_flag made;
+        AlbedoTable table;
+    };
+    const AlbedoTable* table(int step) const;
+
+    float ior_;
+    mutable std::array<LazyTable, steps + 1> tables_; // evenly over the roughness
 };
 
 } // namespace scree
