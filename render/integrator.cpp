@@ -2,6 +2,7 @@
 #include "render/integrator.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace scree {
@@ -84,13 +85,13 @@ void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface, 
     add(path, bsdf.value * light.radiance * (weight / light.pdf), path.edges_ + 1);
 }
 
-// Adds what the end of the path's ray brings and scatters the path there; false at its end.
-bool Integrator::advance(Path& path, float share, RayCount& count) const {
+// Adds what the end of the path's ray brings by itself; false unless light may scatter there.
+bool Integrator::arrive(Path& path) const {
     if (!path.found_.found()) {
         add_escaped(path);
         return false;
     }
-    Hit hit;
+    Hit& hit = path.hit_;
     world_.fill(path.ray_, path.found_, hit);
     path.width_ += path.spread_ * hit.distance;
     if (path.absorbing_)
@@ -108,10 +109,14 @@ bool Integrator::advance(Path& path, float share, RayCount& count) const {
         add_light(path, hit);
         return false;
     }
-    if (path.edges_ >= depth_ && !first)
-        return false;
-    const Surface surface = materials_.surface(hit, path.ray_.direction, path.width_);
-    if (first) {
+    return path.edges_ < depth_ || first;
+}
+
+// Scatters the path at the surface that it has met; false at its end.
+bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCount& count) const {
+    const Hit& hit = path.hit_;
+    const Surface surface = materials_.surface(hit, path.ray_.direction, painted);
+    if (path.edges_ == 1) {
         path.sample_.albedo = surface.albedo();
         path.sample_.normal = surface.frame.z;
     }
@@ -151,6 +156,35 @@ bool Integrator::advance(Path& path, float share, RayCount& count) const {
     return true;
 }
 
+// Takes all paths on from the ends of their rays; whether any goes on.
+bool Integrator::shade(std::span<Path> paths, float share, RayCount& count) const {
+    bool any = false;
+    std::array<Path*, most_painted> met;
+    std::array<PaintQuery, most_painted> queries;
+    std::array<Painted, most_painted> painted;
+    std::size_t met_count = 0;
+    const auto scatter_all = [&] {
+        paint({queries.data(), met_count}, {painted.data(), met_count});
+        for (std::size_t i = 0; i < met_count; ++i) {
+            met[i]->alive_ = scatter(*met[i], painted[i], share, count);
+            any = any || met[i]->alive_;
+        }
+        met_count = 0;
+    };
+    for (Path& path : paths) {
+        path.alive_ = path.alive_ && arrive(path);
+        if (!path.alive_)
+            continue;
+        met[met_count] = &path;
+        queries[met_count++] = {&materials_.paint(path.hit_), &path.hit_, path.ray_.direction,
+                                path.width_};
+        if (met_count == most_painted)
+            scatter_all();
+    }
+    scatter_all();
+    return any;
+}
+
 void Integrator::trace(std::span<Path> paths, float share, RayCount& count) const {
     for (bool any = true; any;) {
         for (Path& path : paths) {
@@ -162,12 +196,7 @@ void Integrator::trace(std::span<Path> paths, float share, RayCount& count) cons
         for (const Path& path : paths)
             if (path.alive_)
                 world_.prefetch(path.found_);
-        any = false;
-        for (Path& path : paths)
-            if (path.alive_) {
-                path.alive_ = advance(path, share, count);
-                any = any || path.alive_;
-            }
+        any = shade(paths, share, count);
     }
 }
 

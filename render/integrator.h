@@ -5,6 +5,7 @@
 
 #include "render/camera.h"
 #include "render/light_sampler.h"
+#include "render/paint.h"
 #include "render/sampler.h"
 #include "render/surface.h"
 #include "render/world.h"
@@ -47,6 +48,7 @@ class Path {
     PathSample sample_;
     Ray ray_;
     RawHit found_; // at the end of ray_
+    Hit hit_;      // the same, where it is a surface
     Color throughput_{1.0F, 1.0F, 1.0F};
     Color absorption_{0.0F, 0.0F, 0.0F}; // of the glass around, if any [1/m]
     Vec3 point_;                         // where the ray was scattered
@@ -67,13 +69,16 @@ class Integrator {
                std::span<const Light> lights, int depth, float clamp, Mis mis);
 
     /// Follows the paths to their ends, all together by one edge at a time, so that the memory
-    /// traffic of one is hidden behind the rays of the others; each is as if it were alone.
+    /// traffic of one is hidden behind the rays of the others and textures are asked about all of
+    /// them at once; each is as if it were alone.
     /// `share`: width of what one sample stands for among those of its pixel, as a share of the
     /// whole: of the pixel's filter, and of a lobe in which a path is scattered.
     void trace(std::span<Path> paths, float share, RayCount& count) const;
 
   private:
-    bool advance(Path& path, float share, RayCount& count) const;
+    bool arrive(Path& path) const;
+    bool scatter(Path& path, const Painted& painted, float share, RayCount& count) const;
+    bool shade(std::span<Path> paths, float share, RayCount& count) const;
     void add_escaped(Path& path) const;
     void add_light(Path& path, const Hit& hit) const;
     void add_direct(Path& path, const Hit& hit, const Surface& surface, float choice,

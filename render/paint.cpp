@@ -5,6 +5,7 @@
 #include "render/instance_record.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace scree {
@@ -68,25 +69,24 @@ Vec3 bent_normal(const Hit& hit, const Vec3& slope) {
     return unit(hit.record->normal(normal - slope + normal * normal.dot(slope)));
 }
 
-Painted paint_at(const Paint& paint, const Hit& hit, const Vec3& direction, float footprint) {
+namespace {
+
+/// Whether it needed no procedural.
+bool paint_plainly(const PaintQuery& query, Painted& painted) {
+    painted = {};
+    const std::vector<Color>& palette = query.paint->palette;
+    if (!palette.empty()) {
+        const auto index =
+            static_cast<std::size_t>(query.hit->random * static_cast<float>(palette.size()));
+        painted.color = palette[std::min(index, palette.size() - 1)];
+        return true;
+    }
+    painted.color = query.paint->texture.constant;
+    return query.paint->texture.procedural == nullptr;
+}
+
+Painted painted_as(const ShadingSample& sample, const Hit& hit) {
     Painted painted;
-    if (!paint.palette.empty()) {
-        const auto count = paint.palette.size();
-        const auto index = static_cast<std::size_t>(hit.random * static_cast<float>(count));
-        painted.color = paint.palette[std::min(index, count - 1)];
-        return painted;
-    }
-    if (paint.texture.procedural == nullptr) {
-        painted.color = paint.texture.constant;
-        return painted;
-    }
-    ShadingPoint point = shading_point(hit, direction, footprint);
-    if (!paint.texture.procedural->solid()) {
-        point.uv = hit.uv();
-        point.uv_footprint = point.footprint * hit.uv_scale();
-    }
-    ShadingSample sample;
-    paint.texture.procedural->evaluate({&point, 1}, {&sample, 1});
     painted.color = {reflectance(sample.color.x), reflectance(sample.color.y),
                      reflectance(sample.color.z)};
     painted.roughness = sample.roughness;
@@ -95,6 +95,67 @@ Painted paint_at(const Paint& paint, const Hit& hit, const Vec3& direction, floa
         painted.normal = bent_normal(hit, sample.slope);
     }
     return painted;
+}
+
+/// The hits of one procedural.
+class Batch {
+  public:
+    explicit Batch(const Procedural& procedural)
+        : procedural_(procedural), solid_(procedural.solid()) {}
+
+    void add(const PaintQuery& query, Painted& painted) {
+        ShadingPoint& point = points_[count_];
+        point = shading_point(*query.hit, query.direction, query.footprint);
+        if (!solid_) {
+            point.uv = query.hit->uv();
+            point.uv_footprint = point.footprint * query.hit->uv_scale();
+        }
+        hits_[count_] = query.hit;
+        painted_[count_++] = &painted;
+    }
+
+    void answer() {
+        procedural_.evaluate({points_.data(), count_}, {samples_.data(), count_});
+        for (std::size_t i = 0; i < count_; ++i)
+            *painted_[i] = painted_as(samples_[i], *hits_[i]);
+    }
+
+  private:
+    const Procedural& procedural_;
+    bool solid_;
+    std::size_t count_ = 0;
+    std::array<const Hit*, most_painted> hits_;
+    std::array<Painted*, most_painted> painted_;
+    std::array<ShadingPoint, most_painted> points_;
+    std::array<ShadingSample, most_painted> samples_;
+};
+
+} // namespace
+
+void paint(std::span<const PaintQuery> queries, std::span<Painted> painted) {
+    assert(queries.size() == painted.size() && queries.size() <= most_painted);
+    std::array<std::size_t, most_painted> waiting;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < queries.size(); ++i)
+        if (!paint_plainly(queries[i], painted[i]))
+            waiting[count++] = i;
+    const auto procedural_of = [&](std::size_t i) {
+        return queries[i].paint->texture.procedural.get();
+    };
+    while (count > 0) {
+        const Procedural* procedural = procedural_of(waiting[0]);
+        Batch batch(*procedural);
+        std::size_t others = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t i = waiting[k];
+            if (procedural_of(i) == procedural)
+                batch.add(queries[i], painted[i]);
+            else
+                waiting[others++] = i;
+        }
+        batch.answer();
+        count = others;
+    }
 }
 
 } // namespace scree

@@ -5,6 +5,8 @@
 #include "render/materials.h"
 #include "render/world.h"
 
+#include <span>
+
 namespace scree {
 
 /// Where a procedural is asked about a hit that was reached along `direction`: the pixel's filter,
@@ -24,6 +26,19 @@ struct Painted {
     bool bent = false;                      // `normal` takes the place of the shading normal
     Vec3 normal{0.0F, 0.0F, 0.0F};          // unit, on the side of the geometric normal's outside
 };
-Painted paint_at(const Paint& paint, const Hit& hit, const Vec3& direction, float footprint);
+
+/// A hit whose paint is asked for, reached along `direction` and seen with a filter `footprint`
+/// wide [m].
+struct PaintQuery {
+    const Paint* paint;
+    const Hit* hit;
+    Vec3 direction;
+    float footprint;
+};
+
+/// Answers up to `most_painted` queries, a sample to each; every procedural is asked about its hits
+/// together, which some answer faster than one by one.
+constexpr std::size_t most_painted = 8;
+void paint(std::span<const PaintQuery> queries, std::span<Painted> painted);
 
 } // namespace scree

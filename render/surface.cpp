@@ -2,7 +2,6 @@
 #include "render/surface.h"
 
 #include "render/ggx.h"
-#include "render/paint.h"
 
 #include <algorithm>
 #include <cassert>
@@ -106,11 +105,10 @@ void MaterialSet::prepare_lobe(Prepared& prepared, float roughness, float facet_
         prepared.varied = &varied_tables_.try_emplace(facet_ior, facet_ior).first->second;
 }
 
-Surface MaterialSet::surface(const Hit& hit, const Vec3& direction, float footprint) const {
+Surface MaterialSet::surface(const Hit& hit, const Vec3& direction, const Painted& painted) const {
     assert(hit.material < materials_.size());
     const Prepared& material = materials_[hit.material];
     Surface surface;
-    const Painted painted = paint_at(material.paint, hit, direction, footprint);
     surface.smooth = hit.smooth || painted.bent;
     Vec3 normal = painted.bent ? painted.normal : hit.shading_normal;
     surface.bsdf.kind = material.kind;

@@ -5,6 +5,7 @@
 #include "render/bsdf.h"
 #include "render/frame.h"
 #include "render/materials.h"
+#include "render/paint.h"
 #include "render/world.h"
 
 #include <map>
@@ -42,9 +43,11 @@ class MaterialSet {
   public:
     explicit MaterialSet(std::span<const Material> materials);
 
-    /// The surface at a hit that was reached along `direction`, seen with a filter `footprint`
-    /// wide [m].
-    Surface surface(const Hit& hit, const Vec3& direction, float footprint) const;
+    /// What the surface at a hit is painted with.
+    const Paint& paint(const Hit& hit) const { return materials_[hit.material].paint; }
+
+    /// The surface at a hit that was reached along `direction`, painted so.
+    Surface surface(const Hit& hit, const Vec3& direction, const Painted& painted) const;
 
     std::size_t size() const { return materials_.size(); }
 

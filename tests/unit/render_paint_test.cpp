@@ -163,17 +163,57 @@ class Probe final : public Procedural {
     void evaluate(std::span<const ShadingPoint> points,
                   std::span<ShadingSample> samples) const override {
         const std::lock_guard lock(mutex_);
+        batches.push_back(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) {
             asked.push_back(points[i]);
             samples[i] = answer_;
         }
     }
     mutable std::vector<ShadingPoint> asked;
+    mutable std::vector<std::size_t> batches; // how many points were asked at once
 
   private:
     ShadingSample answer_;
     mutable std::mutex mutex_;
 };
+
+Surface seen(const MaterialSet& materials, const Hit& hit, const Vec3& direction) {
+    const PaintQuery query{&materials.paint(hit), &hit, direction, 0.01F};
+    Painted painted;
+    paint({&query, 1}, {&painted, 1});
+    return materials.surface(hit, direction, painted);
+}
+
+TEST(Paint, AsksEachProceduralOnceAboutAllItsHits) {
+    ShadingSample red, blue;
+    red.color = {1.0F, 0.0F, 0.0F};
+    red.slope = {0.5F, 0.0F, 0.0F};
+    blue.color = {0.0F, 0.0F, 1.0F};
+    const auto one = std::make_shared<Probe>(red), other = std::make_shared<Probe>(blue);
+    const Paint paints[] = {{{Color(0.0F), one}, {}},
+                            {{Color(0.0F), other}, {}},
+                            {{Color(0.5F), nullptr}, {}},
+                            {{Color(0.0F), one}, {Color(0.25F)}}};
+    const Placed placed(Matrix(), DVec3(0.3, 0.5, 0.1));
+    std::vector<Hit> hits(most_painted, placed.hit);
+    std::vector<PaintQuery> queries;
+    for (std::size_t i = 0; i < most_painted; ++i) {
+        hits[i].object_position = Vec3(float(i), 0.0F, 0.0F);
+        queries.push_back({&paints[i % 4], &hits[i], Vec3(0.0F, -1.0F, 0.0F), 0.01F});
+    }
+    std::vector<Painted> painted(most_painted);
+    painted[2].bent = true; // from before
+    paint(queries, painted);
+    EXPECT_EQ(one->batches, std::vector<std::size_t>{most_painted / 4});
+    EXPECT_EQ(other->batches, std::vector<std::size_t>{most_painted / 4});
+    const Color colors[] = {red.color, blue.color, Color(0.5F), Color(0.25F)};
+    for (std::size_t i = 0; i < most_painted; ++i) {
+        EXPECT_EQ(painted[i].color, colors[i % 4]) << i;
+        EXPECT_EQ(painted[i].bent, i % 4 == 0) << i;
+    }
+    for (std::size_t i = 0; i < one->asked.size(); ++i)
+        EXPECT_EQ(one->asked[i].position.x, float(4 * i));
+}
 
 TEST(Paint, OneQuestionPerHitAnswersAll) {
     ShadingSample answer;
@@ -192,7 +232,7 @@ TEST(Paint, OneQuestionPerHitAnswersAll) {
                                          Metal{paint, 0.1F}};
     const MaterialSet materials(kinds);
     for (hit.material = 0; hit.material < 3; ++hit.material) {
-        const Surface surface = materials.surface(hit, down, 0.01F);
+        const Surface surface = seen(materials, hit, down);
         EXPECT_EQ(probe->asked.size(), hit.material + 1);
         EXPECT_EQ(surface.bsdf.color, Color(0.2F, 1.0F, 0.0F));
         EXPECT_EQ(surface.bsdf.alpha, hit.material == 0 ? 0.0F : 0.25F);
@@ -204,7 +244,7 @@ TEST(Paint, OneQuestionPerHitAnswersAll) {
     const Paint plain{{Color(0.0F), std::make_shared<Probe>(ShadingSample{})}, {}};
     const std::vector<Material> metal = {Metal{plain, 0.1F}};
     hit.material = 0;
-    const Surface surface = MaterialSet(metal).surface(hit, down, 0.01F);
+    const Surface surface = seen(MaterialSet(metal), hit, down);
     EXPECT_EQ(surface.bsdf.alpha, 0.1F * 0.1F);
     EXPECT_EQ(surface.frame.z, hit.normal);
     EXPECT_FALSE(surface.smooth);
