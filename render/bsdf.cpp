@@ -48,6 +48,38 @@ BsdfValue plastic(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi, float scale)
             p * normal_density * ggx::masking(wo, bsdf.alpha) + (1 - p) * wi.z / pi_f};
 }
 
+// The coat alone. What it lets in is seen again at `emerging` surfaces, which let as much out as
+// the base of a plastic does.
+BsdfValue translucent(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi) {
+    const Vec3 m = half_vector(wo, wi);
+    const float normal_density = ggx::density(m, bsdf.alpha) / (4 * wo.z);
+    const float coat = fresnel_dielectric(wo.dot(m), bsdf.eta) * normal_density *
+                       ggx::shadowing(wo, wi, bsdf.alpha);
+    return {Color(coat, coat, coat),
+            coat_probability(bsdf, wo.z) * normal_density * ggx::masking(wo, bsdf.alpha)};
+}
+
+BsdfSample sample_translucent(const Bsdf& bsdf, const Vec3& wo, float choice, const Vec2f& u) {
+    const float p = coat_probability(bsdf, wo.z);
+    if (choice >= p) {
+        const float weight = (1 - bsdf.albedo.at(wo.z)) / (1 - p);
+        return {-sample_cosine(u), Color(weight, weight, weight), 1, true, true};
+    }
+    const Vec3 wi = ggx::reflect(wo, ggx::sample_visible_normal(wo, bsdf.alpha, u));
+    if (wi.z <= 0)
+        return {};
+    const BsdfValue value = translucent(bsdf, wo, wi);
+    if (!(value.pdf > 0))
+        return {};
+    return {wi, value.value / value.pdf, value.pdf, false, false};
+}
+
+BsdfValue emerging(const Bsdf& bsdf, const Vec3& wi, float scale) {
+    const float pdf = wi.z / pi_f;
+    const float value = scale * (1 - bsdf.albedo.at(wi.z)) / (1 - bsdf.albedo.average()) * pdf;
+    return {Color(value, value, value), pdf};
+}
+
 // Energy of the further bounces between facets, in proportion to the first (Turquin 2019, eq. 16).
 Color metal_gain(const Bsdf& bsdf, float cosine) {
     const float single = bsdf.albedo.at(cosine);
@@ -102,6 +134,10 @@ BsdfValue Bsdf::evaluate(const Vec3& wo, const Vec3& wi, float diffuse_scale) co
         return plastic(*this, wo, wi, diffuse_scale);
     case BsdfKind::metal:
         return metal(*this, wo, wi);
+    case BsdfKind::translucent:
+        return translucent(*this, wo, wi);
+    case BsdfKind::emerging:
+        return emerging(*this, wi, diffuse_scale);
     case BsdfKind::smooth_glass:
     case BsdfKind::rough_glass:
         break;
@@ -125,6 +161,13 @@ BsdfSample Bsdf::sample(const Vec3& wo, float choice, const Vec2f& u) const {
         return glass::sample_smooth(wo, choice, eta);
     case BsdfKind::rough_glass:
         return glass::sample_rough(wo, choice, u, alpha, eta);
+    case BsdfKind::translucent:
+        return sample_translucent(*this, wo, choice, u);
+    case BsdfKind::emerging: {
+        const Vec3 wi = sample_cosine(u);
+        const BsdfValue value = emerging(*this, wi, 1);
+        return {wi, value.value / value.pdf, value.pdf, false, false};
+    }
     }
     return {};
 }

@@ -19,11 +19,12 @@ struct BsdfSample {
     Vec3 direction;                 // wi
     Color weight{0.0F, 0.0F, 0.0F}; // BSDF times |cos wi| over pdf
     float pdf = 0;                  // per solid angle; 0: the light is lost
-    bool delta = false;             // one of countably many directions; then pdf means nothing
+    bool delta = false;             // not to be found by sampling lights; then pdf means nothing
     bool transmitted = false;
 };
 
-enum class BsdfKind { matte, plastic, metal, smooth_glass, rough_glass };
+/// `translucent`: a coat that reflects or lets in; `emerging`: light on its way out through it.
+enum class BsdfKind { matte, plastic, metal, smooth_glass, rough_glass, translucent, emerging };
 
 /// A material at one point of a surface. Small and flat: no allocation, no virtual calls.
 struct Bsdf {
@@ -31,11 +32,12 @@ struct Bsdf {
     Color color{0.0F, 0.0F, 0.0F}; // reflectance; of glass: unused
     float alpha = 0;               // GGX
     float eta = 1;                 // index of refraction of the far side to the viewer's
-    Albedo albedo;                 // of the plastic's coat, or of the metal's facets
+    Albedo albedo;                 // of the coat, or of the metal's facets
 
     bool delta() const { return kind == BsdfKind::smooth_glass; }
 
-    /// Zero for a delta BSDF. `diffuse_scale` multiplies the diffuse part of the value.
+    /// Zero for a delta BSDF, and for light that goes into a translucent thing. `diffuse_scale`
+    /// multiplies the diffuse part of the value.
     BsdfValue evaluate(const Vec3& wo, const Vec3& wi, float diffuse_scale = 1) const;
 
     /// `choice` chooses among lobes, `u` a direction within; all uniform in [0, 1).

@@ -22,7 +22,7 @@ struct InstanceRecord {
     // What `direction` makes `v` of: by the transpose, or by Cramer's rule.
     Vec3 inverse_direction(const Vec3& v) const {
         if (similar)
-            return Vec3(rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)) / (scale * scale);
+            return Vec3(rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)) * (1 / (scale * scale));
         const Vec3 yz = rows[1].cross(rows[2]);
         return Vec3(yz.dot(v), rows[2].cross(rows[0]).dot(v), rows[0].cross(rows[1]).dot(v)) /
                rows[0].dot(yz);

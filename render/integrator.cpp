@@ -67,9 +67,9 @@ void Integrator::add_light(Path& path, const Hit& hit) const {
         add(path, radiance * hit_weight(path, pdf), path.edges_);
 }
 
-void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface, float choice,
-                            RayCount& count) const {
-    const Vec2f u = path.sampler_.pair(dimension::at(bounce_of(path.edges_), dimension::light));
+void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface,
+                            std::uint32_t bounce, float choice, RayCount& count) const {
+    const Vec2f u = path.sampler_.pair(dimension::at(bounce, dimension::light));
     const LightSample light = lights_.sample(hit.position, choice, u);
     if (!(light.pdf > 0) || black(light.radiance))
         return;
@@ -85,6 +85,25 @@ void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface, 
     add(path, bsdf.value * light.radiance * (weight / light.pdf), path.edges_ + 1);
 }
 
+// Takes a path that has gone into a translucent thing to where it comes out.
+void Integrator::walk(Path& path, RayCount& count) const {
+    const std::uint32_t bounce = bounce_of(path.edges_);
+    const float choice = path.sampler_.pair(dimension::at(bounce, dimension::roulette)).y;
+    Random random(path.sampler_.key(), Purpose::subsurface_walk, bounce);
+    const Walk walk =
+        walk_inside(world_, materials_.medium(path.hit_, path.color_), path.hit_,
+                    path.ray_.direction, path.throughput_, choice, random, count.clock);
+    count.rays += walk.rays;
+    path.throughput_ *= walk.weight;
+    if (walk.exit.found()) {
+        path.found_ = walk.exit;
+        path.ray_.direction = walk.direction;
+    } else {
+        path.found_.distance = 0;
+        path.ray_.direction = -path.ray_.direction;
+    }
+}
+
 // Adds what the end of the path's ray brings by itself; false unless light may scatter there.
 bool Integrator::arrive(Path& path) const {
     if (!path.found_.found()) {
@@ -94,6 +113,8 @@ bool Integrator::arrive(Path& path) const {
     Hit& hit = path.hit_;
     world_.fill(path.ray_, path.found_, hit);
     path.width_ += path.spread_ * hit.distance;
+    if (path.walking_)
+        return !black(path.throughput_);
     if (path.absorbing_)
         for (int i = 0; i < 3; ++i)
             path.throughput_[i] *= std::exp(-path.absorption_[i] * hit.distance);
@@ -115,17 +136,20 @@ bool Integrator::arrive(Path& path) const {
 // Scatters the path at the surface that it has met; false at its end.
 bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCount& count) const {
     const Hit& hit = path.hit_;
-    const Surface surface = materials_.surface(hit, path.ray_.direction, painted);
-    if (path.edges_ == 1) {
+    const bool emerging = path.walking_;
+    path.walking_ = false;
+    const Surface surface = emerging ? materials_.emerging(hit, path.ray_.direction, painted)
+                                     : materials_.surface(hit, path.ray_.direction, painted);
+    if (path.edges_ == 1 && !emerging) {
         path.sample_.albedo = surface.albedo();
         path.sample_.normal = surface.frame.z;
     }
     if (path.edges_ >= depth_)
         return false;
-    const std::uint32_t bounce = bounce_of(path.edges_);
+    const std::uint32_t bounce = bounce_of(path.edges_) + (emerging ? dimension::emerging : 0);
     const Vec2f choice = path.sampler_.pair(dimension::at(bounce, dimension::choice));
     if (mis_ != Mis::bsdf_only && !lights_.empty() && !surface.bsdf.delta())
-        add_direct(path, hit, surface, choice.x, count);
+        add_direct(path, hit, surface, bounce, choice.x, count);
     const BsdfSample scattered =
         surface.sample(choice.y, path.sampler_.pair(dimension::at(bounce, dimension::direction)));
     if (!(scattered.pdf > 0))
@@ -138,6 +162,12 @@ bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCou
         path.throughput_ /= survival;
     } else if (black(path.throughput_)) {
         return false;
+    }
+    if (scattered.transmitted && surface.bsdf.kind == BsdfKind::translucent) {
+        path.color_ = painted.color;
+        path.ray_.direction = scattered.direction;
+        path.walking_ = true;
+        return true;
     }
     if (scattered.transmitted) {
         path.absorption_ = surface.outside ? surface.inside : Color(0.0F, 0.0F, 0.0F);
@@ -190,6 +220,10 @@ void Integrator::trace(std::span<Path> paths, float share, RayCount& count) cons
         for (Path& path : paths) {
             if (!path.alive_)
                 continue;
+            if (path.walking_) {
+                walk(path, count);
+                continue;
+            }
             ++count.rays;
             path.found_ = world_.find(path.ray_, count.clock);
         }

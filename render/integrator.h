@@ -51,12 +51,14 @@ class Path {
     Hit hit_;      // the same, where it is a surface
     Color throughput_{1.0F, 1.0F, 1.0F};
     Color absorption_{0.0F, 0.0F, 0.0F}; // of the glass around, if any [1/m]
+    Color color_;                        // of the translucent surface that it went into
     Vec3 point_;                         // where the ray was scattered
     float pdf_ = 0;                      // of its direction
     float width_ = 0;                    // of the filter where the ray begins [m]
     float spread_;                       // by how much it widens per metre of way
     bool delta_ = true;                  // its direction cannot be found by light sampling
     bool absorbing_ = false;
+    bool walking_ = false; // under a translucent surface since it met the last one
     bool alive_ = true;
     int edges_ = 1; // of the path up to the ray's end
     Sampler sampler_;
@@ -76,13 +78,14 @@ class Integrator {
     void trace(std::span<Path> paths, float share, RayCount& count) const;
 
   private:
+    void walk(Path& path, RayCount& count) const;
     bool arrive(Path& path) const;
     bool scatter(Path& path, const Painted& painted, float share, RayCount& count) const;
     bool shade(std::span<Path> paths, float share, RayCount& count) const;
     void add_escaped(Path& path) const;
     void add_light(Path& path, const Hit& hit) const;
-    void add_direct(Path& path, const Hit& hit, const Surface& surface, float choice,
-                    RayCount& count) const;
+    void add_direct(Path& path, const Hit& hit, const Surface& surface, std::uint32_t bounce,
+                    float choice, RayCount& count) const;
     void add(Path& path, const Color& contribution, int edges) const;
     float hit_weight(const Path& path, float light_pdf) const;
 

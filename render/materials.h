@@ -40,6 +40,14 @@ struct Glass {
     float roughness = 0;                // 0: smooth
 };
 
-using Material = std::variant<Matte, Plastic, Metal, Glass>;
+/// A medium in which light walks at random, under a dielectric coat.
+struct Translucent {
+    Paint paint{{Color(0.5F, 0.5F, 0.5F), nullptr}, {}}; // see Medium::color
+    Color distance{0.001F, 0.001F, 0.001F};              // by channel [m], see make_medium
+    float roughness = 0.3F;                              // of the coat
+    float ior = 1.5F;
+};
+
+using Material = std::variant<Matte, Plastic, Metal, Glass, Translucent>;
 
 } // namespace scree

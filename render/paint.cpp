@@ -49,7 +49,7 @@ ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprin
     const Vec3 level = hit.normal.cross(direction); // as long as the sine of the slant
     const float square = level.dot(level);
     // Straight from above all directions are alike, and the cross product has no digits.
-    const Vec3 across = square > 1e-10F ? level / std::sqrt(square) : Frame(hit.normal).x;
+    const Vec3 across = square > 1e-10F ? level * (1 / std::sqrt(square)) : Frame(hit.normal).x;
     const float cosine = std::max(least_cosine, std::abs(hit.normal.dot(direction)));
     point.across = record.inverse_direction(across * footprint);
     point.along = record.inverse_direction(across.cross(hit.normal) * (footprint / cosine));

@@ -78,6 +78,9 @@ class Sampler {
         return {sobol::to_unit(sobol::reverse_bits(x)), sobol::to_unit(sobol::reverse_bits(y))};
     }
 
+    /// Of streams of random numbers for what takes more of them than there are dimensions.
+    std::uint64_t key() const { return (std::uint64_t{pixel_} << 32) | reversed_sample_; }
+
   private:
     std::uint32_t pixel_;
     std::uint32_t reversed_sample_;
@@ -89,6 +92,8 @@ inline constexpr std::uint32_t film = 0;
 inline constexpr std::uint32_t lens = 1;
 inline constexpr std::uint32_t first_bounce = 2;
 inline constexpr std::uint32_t per_bounce = 4;
+/// Added to a bounce: light that emerges from a translucent thing is scattered anew.
+inline constexpr std::uint32_t emerging = 1U << 16;
 enum Use : std::uint32_t { direction, light, choice, roulette };
 inline constexpr std::uint32_t at(std::uint32_t bounce, Use use) {
     return first_bounce + per_bounce * bounce + use;

@@ -59,7 +59,8 @@ BsdfSample Surface::sample(float choice, const Vec2f& u) const {
         // The light has decided for a side; keep it there.
         const float wanted = sample.transmitted ? -min_cosine : min_cosine;
         sample.direction = unit(sample.direction + normal * (wanted - height));
-    } else if (smooth && (bsdf.kind == BsdfKind::matte || bsdf.kind == BsdfKind::plastic)) {
+    } else if (smooth && (bsdf.kind == BsdfKind::matte || bsdf.kind == BsdfKind::plastic ||
+                          bsdf.kind == BsdfKind::emerging)) {
         const BsdfValue value = bsdf.evaluate(wo, local, terminator(sample.direction, local));
         sample.weight = value.value / sample.pdf;
     }
@@ -85,6 +86,12 @@ MaterialSet::MaterialSet(std::span<const Material> materials) {
             prepared.kind = BsdfKind::metal;
             prepared.paint = metal->paint;
             prepare_lobe(prepared, metal->roughness, 0);
+        } else if (const auto* translucent = std::get_if<Translucent>(&material)) {
+            prepared.kind = BsdfKind::translucent;
+            prepared.paint = translucent->paint;
+            prepared.ior = translucent->ior;
+            prepared.distance = translucent->distance;
+            prepare_lobe(prepared, translucent->roughness, translucent->ior);
         } else {
             const Glass& glass = std::get<Glass>(material);
             prepared.alpha = glass.roughness * glass.roughness;
@@ -122,7 +129,7 @@ Surface MaterialSet::surface(const Hit& hit, const Vec3& direction, const Painte
     surface.bsdf.eta = material.ior;
     if (!surface.outside) {
         normal = -normal;
-        // Only glass has an inside to look from; the coat of a plastic is on both sides.
+        // Only glass has an inside to look from; other coats are on both sides.
         if (material.kind == BsdfKind::smooth_glass || material.kind == BsdfKind::rough_glass)
             surface.bsdf.eta = 1 / material.ior;
     }
@@ -132,6 +139,19 @@ Surface MaterialSet::surface(const Hit& hit, const Vec3& direction, const Painte
     surface.frame = Frame(normal);
     surface.wo = surface.frame.local_from_world(wo);
     return surface;
+}
+
+Surface MaterialSet::emerging(const Hit& hit, const Vec3& direction, const Painted& painted) const {
+    const Vec3& normal = painted.bent ? painted.normal : hit.shading_normal;
+    const bool outwards = direction.dot(hit.normal) > 0;
+    // As if seen from straight above: where the light comes from makes no difference.
+    Surface surface = this->surface(hit, outwards ? -normal : normal, painted);
+    surface.bsdf.kind = BsdfKind::emerging;
+    return surface;
+}
+
+Medium MaterialSet::medium(const Hit& hit, const Color& color) const {
+    return make_medium(color, materials_[hit.material].distance);
 }
 
 } // namespace scree

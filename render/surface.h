@@ -6,6 +6,7 @@
 #include "render/frame.h"
 #include "render/materials.h"
 #include "render/paint.h"
+#include "render/subsurface.h"
 #include "render/world.h"
 
 #include <map>
@@ -49,6 +50,12 @@ class MaterialSet {
     /// The surface at a hit that was reached along `direction`, painted so.
     Surface surface(const Hit& hit, const Vec3& direction, const Painted& painted) const;
 
+    /// A translucent surface as light sees it that goes out along `direction`.
+    Surface emerging(const Hit& hit, const Vec3& direction, const Painted& painted) const;
+
+    /// What is under the surface of a hit where its colour is `color`; translucent ones only.
+    Medium medium(const Hit& hit, const Color& color) const;
+
     std::size_t size() const { return materials_.size(); }
 
   private:
@@ -58,6 +65,7 @@ class MaterialSet {
         float alpha = 0;
         float ior = 1;
         Color absorption{0.0F, 0.0F, 0.0F};
+        Color distance{0.0F, 0.0F, 0.0F};
         Albedo albedo;
         const RoughnessTables* varied = nullptr; // of a procedural, which may give a roughness
     };

@@ -15,7 +15,7 @@ using MakeLight = Light(const Params& params);
 using MakeCamera = Camera(const Params& params);
 using MakeFilm = FilmSettings(const Params& params);
 
-Registry<MakeMaterial> material_table(); // material.matte, plastic, metal, glass
+Registry<MakeMaterial> material_table(); // material.matte, plastic, metal, glass, translucent
 Registry<MakeLight> light_table();       // light.sky, sun, area
 Registry<MakeCamera> camera_table();     // camera.perspective
 Registry<MakeFilm> film_table();         // one row, "film": the scene's film = { ... } record

@@ -33,17 +33,19 @@ using DeviceHandle = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
 using SceneHandle = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 using GeometryHandle = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
 
+// What instances of one mesh share.
+struct SharedMesh {
+    SceneHandle tree;
+    std::vector<TriangleRecord> triangles;
+    Box3 bounds; // in the object's frame
+};
+
 struct PrototypeRecord {
     const Mesh* mesh;
     const TriangleRecord* triangles;
     std::uint32_t material;
     bool has_normals;
-};
-
-// What instances of one mesh share.
-struct SharedMesh {
-    SceneHandle tree;
-    std::vector<TriangleRecord> triangles;
+    const SharedMesh* shared; // null where there is nothing to see
 };
 
 float largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -52,6 +54,42 @@ float largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), st
 // transforming the hit back, per unit of coordinate: about 30 roundings of 2^-24 (the terms of
 // Pharr, Jakob & Humphreys 2016, section 3.9), twice over for safety.
 constexpr float rounding = 0x1p-18F;
+
+Box3 bounds_of(RTCScene scene) {
+    RTCBounds box{};
+    rtcGetSceneBounds(scene, &box);
+    if (!(box.lower_x <= box.upper_x))
+        return {};
+    return {{box.lower_x, box.lower_y, box.lower_z}, {box.upper_x, box.upper_y, box.upper_z}};
+}
+
+// `direction` of any length; `length` and the distance of what is met count in lengths of it.
+RTCRayHit first_hit(RTCScene scene, const Vec3& origin, const Vec3& direction, float length,
+                    std::uint64_t* clock) {
+    RTCRayHit query;
+    query.ray.org_x = origin.x;
+    query.ray.org_y = origin.y;
+    query.ray.org_z = origin.z;
+    query.ray.dir_x = direction.x;
+    query.ray.dir_y = direction.y;
+    query.ray.dir_z = direction.z;
+    query.ray.tnear = 0;
+    query.ray.tfar = length;
+    query.ray.time = 0;
+    query.ray.mask = 0xffffffffU;
+    query.ray.id = 0;
+    query.ray.flags = 0;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    if (clock != nullptr) {
+        const std::uint64_t start = ticks();
+        embree::intersect(scene, query);
+        *clock += ticks() - start;
+    } else {
+        embree::intersect(scene, query);
+    }
+    return query;
+}
 
 } // namespace
 
@@ -85,6 +123,7 @@ struct World::State {
     }
     void open_device();
     SceneHandle tree(const Mesh& mesh) const;
+    SharedMesh shared_mesh(const Mesh& mesh) const;
     void add_prototypes(std::span<const Aggregate> aggregates, const Context& context);
     void add_instances(std::span<const Aggregate> aggregates);
     void add_lights(std::span<const Light> lights);
@@ -133,23 +172,30 @@ SceneHandle World::State::tree(const Mesh& mesh) const {
     return handle;
 }
 
+SharedMesh World::State::shared_mesh(const Mesh& mesh) const {
+    SharedMesh made{tree(mesh), triangle_records(mesh), {}};
+    made.bounds = bounds_of(made.tree.get());
+    return made;
+}
+
 void World::State::add_prototypes(std::span<const Aggregate> aggregates, const Context& context) {
     for (const Aggregate& aggregate : aggregates)
         for (const Prototype& prototype : aggregate.prototypes) {
             const Mesh* mesh = prototype.mesh.get();
-            prototypes.push_back({mesh, nullptr, prototype.material.index, false});
+            prototypes.push_back({mesh, nullptr, prototype.material.index, false, nullptr});
             materials = std::max(materials, prototype.material.index + 1);
             if (mesh != nullptr && !mesh->triangles.empty() && shared.try_emplace(mesh).second)
                 meshes.push_back(prototype.mesh);
         }
     parallel_for(meshes.size(), 1, [&](std::size_t i) {
         if (context.cancel == nullptr || !context.cancel->requested())
-            shared.find(meshes[i].get())->second = {tree(*meshes[i]), triangle_records(*meshes[i])};
+            shared.find(meshes[i].get())->second = shared_mesh(*meshes[i]);
     });
     context.check_cancel();
     check();
     for (PrototypeRecord& prototype : prototypes)
         if (const auto found = shared.find(prototype.mesh); found != shared.end()) {
+            prototype.shared = &found->second;
             prototype.triangles = found->second.triangles.data();
             prototype.has_normals = !prototype.mesh->normals.empty();
         }
@@ -310,28 +356,8 @@ float Hit::uv_scale() const {
 }
 
 RawHit World::find(const Ray& ray, std::uint64_t* clock) const {
-    RTCRayHit query;
-    query.ray.org_x = ray.origin.x;
-    query.ray.org_y = ray.origin.y;
-    query.ray.org_z = ray.origin.z;
-    query.ray.dir_x = ray.direction.x;
-    query.ray.dir_y = ray.direction.y;
-    query.ray.dir_z = ray.direction.z;
-    query.ray.tnear = 0;
-    query.ray.tfar = ray.length;
-    query.ray.time = 0;
-    query.ray.mask = 0xffffffffU;
-    query.ray.id = 0;
-    query.ray.flags = 0;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    if (clock != nullptr) {
-        const std::uint64_t start = ticks();
-        embree::intersect(state_->scene.get(), query);
-        *clock += ticks() - start;
-    } else {
-        embree::intersect(state_->scene.get(), query);
-    }
+    const RTCRayHit query =
+        first_hit(state_->scene.get(), ray.origin, ray.direction, ray.length, clock);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return {};
     RawHit raw{query.hit.geomID,
@@ -341,6 +367,26 @@ RawHit World::find(const Ray& ray, std::uint64_t* clock) const {
                query.ray.tfar};
     if (raw.instance != Hit::none)
         __builtin_prefetch(&state_->instances[raw.instance]);
+    return raw;
+}
+
+std::optional<RawHit> World::find_within(std::uint32_t instance, const Ray& ray,
+                                         std::uint64_t* clock) const {
+    const InstanceRecord& record = state_->instances[instance];
+    const SharedMesh* shared = state_->prototypes[record.prototype].shared;
+    assert(shared != nullptr);
+    const Vec3 origin = record.inverse_direction(ray.origin - record.rows[3]);
+    if (!shared->bounds.intersects(origin))
+        return std::nullopt;
+    const RTCRayHit query = first_hit(shared->tree.get(), origin,
+                                      record.inverse_direction(ray.direction), ray.length, clock);
+    RawHit raw;
+    if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
+        raw = {query.hit.geomID,
+               instance,
+               query.hit.primID,
+               {query.hit.u, query.hit.v},
+               query.ray.tfar};
     return raw;
 }
 
@@ -394,13 +440,7 @@ bool World::occluded(const Ray& ray, std::uint64_t* clock) const {
     return query.tfar < 0; // Embree's sign of a hit
 }
 
-Box3 World::bounds() const {
-    RTCBounds box{};
-    rtcGetSceneBounds(state_->scene.get(), &box);
-    if (!(box.lower_x <= box.upper_x))
-        return {};
-    return {{box.lower_x, box.lower_y, box.lower_z}, {box.upper_x, box.upper_y, box.upper_z}};
-}
+Box3 World::bounds() const { return bounds_of(state_->scene.get()); }
 
 std::size_t World::instance_count() const { return state_->instances.size(); }
 std::size_t World::triangle_count() const { return state_->triangles; }

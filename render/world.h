@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace scree {
@@ -84,6 +85,11 @@ class World {
     RawHit find(const Ray& ray, std::uint64_t* clock = nullptr) const;
     void prefetch(const RawHit& raw) const;
     void fill(const Ray& ray, const RawHit& raw, Hit& hit) const;
+
+    /// What a ray meets of one instance as if nothing else were there; nullopt where the ray begins
+    /// outside of the box around its mesh.
+    std::optional<RawHit> find_within(std::uint32_t instance, const Ray& ray,
+                                      std::uint64_t* clock = nullptr) const;
 
     /// Whether anything lies within the ray's length.
     bool occluded(const Ray& ray, std::uint64_t* clock = nullptr) const;

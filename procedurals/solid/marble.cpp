@@ -5,6 +5,7 @@
 #include "procedurals/solid/marble_presets.h"
 #include "procedurals/solid/marble_source.h"
 #include "procedurals/solid/marble_text.h"
+#include "procedurals/solid/marble_vector.h"
 #include "procedurals/solid/solid_procedural.h"
 #include "procedurals/solid/solid_specs.h"
 #include "procedurals/solid/vein_layer.h"
@@ -107,7 +108,7 @@ std::shared_ptr<const Procedural> make_marble(const Params& params) {
         const auto index = static_cast<unsigned>(marble.layers);
         marble.layer[marble.layers++] = make_layer(params, veins, index);
     }
-    return std::make_shared<SolidProcedural<Marble, marble_sample>>(
+    return std::make_shared<SolidProcedural<Marble, marble_sample, marble_in_lanes>>(
         make_lattice(params), marble, SolidKernel{marble_source, "Marble", "marble_at"});
 }
 

@@ -32,8 +32,9 @@ void run_solid_kernel(Device& device, const SolidKernel& kernel,
                       std::span<const std::byte> settings, const FractalLattice& lattice,
                       std::span<const ShadingPoint> points, std::span<ShadingSample> samples);
 
-/// `Function(field, settings, point)` is the text's function.
-template <class Settings, auto Function>
+/// `Function(field, settings, point)` is the text's function. `InLanes(field, settings, points,
+/// samples)`, where there is one, answers several points at once to the same bits, or false.
+template <class Settings, auto Function, auto InLanes = nullptr>
 class SolidProcedural : public Procedural {
   public:
     SolidProcedural(std::shared_ptr<const FractalLattice> lattice, const Settings& settings,
@@ -46,6 +47,9 @@ class SolidProcedural : public Procedural {
                   std::span<ShadingSample> samples) const override {
         const solid::Field field{&lattice_->header(), lattice_->nodes16().data(),
                                  lattice_->nodes32().data()};
+        if constexpr (InLanes != nullptr)
+            if (points.size() > 1 && InLanes(field, settings_, points, samples))
+                return;
         for (std::size_t i = 0; i < points.size(); ++i)
             samples[i] = shading_sample(Function(field, &settings_, solid_point(points[i])));
     }

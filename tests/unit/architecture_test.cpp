@@ -117,8 +117,8 @@ const std::vector<Door>& doors() {
         {"Highway",
          "^hwy/",
          {"procedurals/solid/lattice_vector.cpp", "procedurals/solid/levels_vector.cpp",
-          "procedurals/solid/path_vector.cpp", "procedurals/solid/quads_vector.cpp",
-          "procedurals/solid/stripes_vector.cpp"}},
+          "procedurals/solid/marble_vector.cpp", "procedurals/solid/path_vector.cpp",
+          "procedurals/solid/quads_vector.cpp", "procedurals/solid/stripes_vector.cpp"}},
         {"Random123", "^Random123/", {"core/random.h", "tests/unit/core_test.cpp"}},
     };
     return table;

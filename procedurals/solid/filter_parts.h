@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "procedurals/solid/solid_procedural.h"
+
+#include <array>
+#include <cstddef>
+
+namespace scree {
+
+/// Filters of several points, drawn-out ones cut into parts (see filter_parts in solid.cl), number
+/// by number in arrays that vectors read, and what a texture answers for each.
+struct FilterParts {
+    static constexpr std::size_t most = 64 + 8; // some behind the last, for a vector's other lanes
+
+    std::size_t count = 0;
+    float position[3][most], across[3][most], along[3][most], random[most];
+    float color[3][most], slope[3][most], height[most], roughness[most], value[most];
+
+    void add(const solid::Triple& place, const solid::Triple& side, const solid::Triple& other,
+             float instance) {
+        const auto set = [this](float(&to)[3][most], const solid::Triple& t) {
+            to[0][count] = t.x;
+            to[1][count] = t.y;
+            to[2][count] = t.z;
+        };
+        set(position, place);
+        set(across, side);
+        set(along, other);
+        random[count++] = instance;
+    }
+
+    /// Writes the last filter again behind the last, up to a multiple of 8: what lanes without a
+    /// filter of their own look at.
+    void fill_up() {
+        const std::size_t last = count - 1;
+        for (std::size_t i = count; i % 8 != 0; ++i) {
+            for (int axis = 0; axis < 3; ++axis) {
+                position[axis][i] = position[axis][last];
+                across[axis][i] = across[axis][last];
+                along[axis][i] = along[axis][last];
+            }
+            random[i] = random[last];
+        }
+    }
+
+    solid::SolidSample sample(std::size_t i) const {
+        return {{color[0][i], color[1][i], color[2][i]},
+                {slope[0][i], slope[1][i], slope[2][i]},
+                height[i],
+                roughness[i],
+                value[i]};
+    }
+};
+
+/// Evaluates a texture by `answer(parts)`, which may refuse by false; then nothing is written for
+/// the points that it refused, and the answer is false. See MEAN_OF_PARTS.
+template <class Answer>
+bool in_filter_parts(std::span<const ShadingPoint> points, std::span<ShadingSample> samples,
+                     const Answer& answer) {
+    constexpr std::size_t together = 8; // points, of 8 parts at most
+    FilterParts parts;
+    std::array<int, together> counts;
+    for (std::size_t first = 0; first < points.size(); first += together) {
+        const std::size_t here = std::min(together, points.size() - first);
+        parts.count = 0;
+        for (std::size_t i = 0; i < here; ++i) {
+            const solid::SolidPoint point = solid_point(points[first + i]);
+            counts[i] = solid::filter_parts(point.across, point.along);
+            const float share = 1.0F / static_cast<float>(counts[i]);
+            const solid::Triple along =
+                counts[i] == 1 ? point.along : solid::scaled(point.along, share);
+            for (int k = 0; k < counts[i]; ++k) {
+                const float shift = (static_cast<float>(k) + 0.5F) * share - 0.5F;
+                parts.add(counts[i] == 1
+                              ? point.position
+                              : solid::plus(point.position, solid::scaled(point.along, shift)),
+                          point.across, along, point.random);
+            }
+        }
+        parts.fill_up();
+        if (!answer(parts))
+            return false;
+        std::size_t part = 0;
+        for (std::size_t i = 0; i < here; ++i) {
+            solid::SolidSample mean = parts.sample(part++);
+            if (counts[i] > 1) {
+                const float share = 1.0F / static_cast<float>(counts[i]);
+                solid::SolidSample sum = solid::no_sample();
+                solid::add_sample(&sum, mean, share);
+                for (int k = 1; k < counts[i]; ++k)
+                    solid::add_sample(&sum, parts.sample(part++), share);
+                mean = sum;
+            }
+            samples[first + i] = shading_sample(mean);
+        }
+    }
+    return true;
+}
+
+} // namespace scree
