@@ -9,10 +9,10 @@ end
 
 return scene {
   film = { width = 1280, height = 720, samples = 128, clamp = 4, depth = 10, exposure = -0.1 },
-  camera = camera.perspective { from = { -0.1, 0.21, 0.62 }, at = { 0.0, 0.1, 0 }, fov = 25, aperture = 0.004, focus = 0.6 },
+  camera = camera.perspective { from = { -0.14, 0.3, 0.62 }, at = { -0.005, 0.086, 0 }, fov = 22, aperture = 0.004, focus = 0.65 },
   lights = pile.lights(0.2, 0.9),
   objects = {
-    pile.table_top(0.2, srgb("#5a5f66")),
+    pile.table_top(0.2, srgb("#7f909b")),
     generator.pile {
       target = mesh.file { path = bunny_file, size = 0.19 },
       components = {

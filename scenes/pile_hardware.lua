@@ -23,11 +23,11 @@ local function heap(target, components, rotation, refine, x, z)
 end
 
 return scene {
-  film = { width = 1280, height = 720, samples = 144, clamp = 4, depth = 10, exposure = 0.2 },
-  camera = camera.perspective { from = { 0.0, 0.24, 0.74 }, at = { 0.0, 0.062, 0 }, fov = 24, aperture = 0.004, focus = 0.72 },
+  film = { width = 1280, height = 720, samples = 144, clamp = 2, depth = 10, exposure = 0.2 },
+  camera = camera.perspective { from = { 0.02, 0.33, 0.72 }, at = { 0.004, 0.06, 0 }, fov = 20, aperture = 0.004, focus = 0.76 },
   lights = pile.lights(0.2, 1),
   objects = {
-    pile.table_top(0.2, srgb("#5c5348")),
+    pile.table_top(0.2, srgb("#8d979e")),
     heap(mesh.file { path = bunny, size = 0.16 }, gears, { 70, 360, 70 }, 2, -0.115, 0),
     heap(pile.wave(0.21), fasteners, { 180, 360, 90 }, 1, 0.1, 0.02),
   },
