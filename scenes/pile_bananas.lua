@@ -27,9 +27,9 @@ local bunny = generator.pile {
   support = arg("support", "report"), seed = arg("seed", 1),
 }
 
-local table_top = material.plastic { color = srgb("#51606a"), roughness = 0.35 }
+local table_top = material.plastic { color = srgb("#8d9aa3"), roughness = 0.35 }
 return scene {
-  film = { width = 1280, height = 720, samples = 128, clamp = 4, depth = 10, exposure = 0.1 },
+  film = { width = 1280, height = 720, samples = 128, clamp = 4, depth = 10, exposure = 0.6 },
   camera = camera.perspective { from = { 1.3, 2.5, 5.4 }, at = { -0.05, 0.88, 0 }, fov = 25 },
   lights = {
     light.sky { zenith = { 0.55, 0.72, 1.0 }, horizon = { 1.0, 0.98, 0.95 }, ground = { 0.3, 0.27, 0.24 }, strength = 0.7 },

@@ -8,20 +8,20 @@ for i, tone in ipairs { "#f2ead6", "#eee4cd", "#f4eddc", "#eadfc6" } do grains[i
 
 return scene {
   film = { width = 1280, height = 720, samples = 128, clamp = 4, depth = 12 },
-  camera = camera.perspective { from = { 0.08, 0.19, 0.62 }, at = { 0.0, 0.082, 0 }, fov = 25, aperture = 0.004, focus = 0.6 },
-  lights = pile.lights(0.2, 0.9),
+  camera = camera.perspective { from = { 0.1, 0.29, 0.62 }, at = { 0.002, 0.076, 0 }, fov = 18, aperture = 0.004, focus = 0.63 },
+  lights = pile.lights(0.2, 1.1),
   objects = {
-    pile.table_top(0.2, srgb("#3b2a22")),
+    pile.table_top(0.2, srgb("#8c9a8a")),
     generator.pile {
       target = mesh.file { path = file, size = 0.22 },
       components = {
         {
-          shape = mesh.chestnut { width = mm(13) }, weight = 0.06, spacing = 4,
+          shape = mesh.chestnut { width = mm(10) }, weight = 0.04, spacing = 4,
           material = material.plastic { palette = { srgb("#d9a441"), srgb("#cf9836"), srgb("#e0b054") }, roughness = 0.3 },
         },
         { shape = mesh.rice { length = mm(5.4), width = mm(2.2), bend = 9 }, material = material.plastic { palette = grains, roughness = 0.22 } },
       },
-      rotation = { 50, 360, 50 }, cover = arg("cover", 0.98), seed = arg("seed", 1),
+      rotation = { 50, 360, 50 }, position = { 0, mm(4), 0 }, cover = arg("cover", 0.98), seed = arg("seed", 1),
     },
   },
 }
