@@ -3,6 +3,8 @@
 
 #include "core/parallel.h"
 
+#include <algorithm>
+#include <compare>
 #include <functional>
 
 namespace scree {
@@ -43,23 +45,61 @@ Span extent(const ConvexPiece& piece, const TrianglePlane& plane, unsigned axis)
 
 } // namespace
 
+void SurfaceCells::Pieces::add(const Key& key, std::uint32_t triangle, const ConvexPiece& piece) {
+    keys.push_back(key);
+    triangles.push_back(triangle);
+    corners.insert(corners.end(), piece.corner.begin(), piece.corner.begin() + piece.count);
+    first_corner.push_back(static_cast<std::uint32_t>(corners.size()));
+}
+
+void SurfaceCells::Pieces::add(const Pieces& others) {
+    const auto before = static_cast<std::uint32_t>(corners.size());
+    keys.insert(keys.end(), others.keys.begin(), others.keys.end());
+    triangles.insert(triangles.end(), others.triangles.begin(), others.triangles.end());
+    for (std::size_t i = 1; i < others.first_corner.size(); ++i)
+        first_corner.push_back(before + others.first_corner[i]);
+    corners.insert(corners.end(), others.corners.begin(), others.corners.end());
+}
+
+SurfacePiece SurfaceCells::Pieces::at(std::uint32_t i) const {
+    SurfacePiece piece;
+    piece.triangle = triangles[i];
+    for (std::uint32_t c = first_corner[i]; c < first_corner[i + 1]; ++c)
+        piece.piece.add(corners[c]);
+    return piece;
+}
+
 SurfaceCells::SurfaceCells(const Mesh& mesh, double side) : side_(side) {
     const Box3 box = bounds(mesh);
     origin_ = Imath::V3d(box.min) - Imath::V3d(side / 2);
     planes_.resize(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        std::array<Imath::V3d, 3> corners;
-        for (std::size_t i = 0; i < 3; ++i)
-            corners[i] = Imath::V3d(mesh.positions[mesh.triangles[t][i]]) - origin_;
-        cut_triangle(t, corners);
-        planes_[t].origin += origin_;
-    }
+    cut_triangles(mesh);
     sort_pieces();
     find_near();
 }
 
+void SurfaceCells::cut_triangles(const Mesh& mesh) {
+    constexpr std::size_t chunk = 4096;
+    std::vector<Pieces> chunks((mesh.triangles.size() + chunk - 1) / chunk);
+    parallel_for(chunks.size(), 1, [&](std::size_t k) {
+        const std::size_t end = std::min((k + 1) * chunk, mesh.triangles.size());
+        for (std::size_t t = k * chunk; t < end; ++t) {
+            std::array<Imath::V3d, 3> corners;
+            for (std::size_t i = 0; i < 3; ++i)
+                corners[i] = Imath::V3d(mesh.positions[mesh.triangles[t][i]]) - origin_;
+            cut_triangle(static_cast<std::uint32_t>(t), corners, chunks[k]);
+            planes_[t].origin += origin_;
+        }
+    });
+    for (Pieces& part : chunks) {
+        pieces_.add(part);
+        part = {};
+    }
+}
+
 // Slab by slab along each axis in turn.
-void SurfaceCells::cut_triangle(std::uint32_t triangle, const std::array<Imath::V3d, 3>& corners) {
+void SurfaceCells::cut_triangle(std::uint32_t triangle, const std::array<Imath::V3d, 3>& corners,
+                                Pieces& pieces) {
     TrianglePlane& plane = planes_[triangle];
     plane.origin = corners[0];
     const Imath::V3d a = corners[1] - corners[0];
@@ -79,19 +119,15 @@ void SurfaceCells::cut_triangle(std::uint32_t triangle, const std::array<Imath::
     const auto cell_of = [&](const Imath::V3d& p) { return Key{cell(p.x), cell(p.y), cell(p.z)}; };
     if (const Key key = cell_of(corners[0]);
         key == cell_of(corners[1]) && key == cell_of(corners[2])) {
-        if (area(whole) > 0) {
-            keys_.push_back(key);
-            pieces_.push_back({triangle, whole});
-        }
+        if (area(whole) > 0)
+            pieces.add(key, triangle, whole);
         return;
     }
     const auto cut = [&](const auto& self, const ConvexPiece& piece, unsigned axis,
                          Key key) -> void {
         if (axis == 3) {
-            if (area(piece) > 0) {
-                keys_.push_back(key);
-                pieces_.push_back({triangle, piece});
-            }
+            if (area(piece) > 0)
+                pieces.add(key, triangle, piece);
             return;
         }
         const Span span = extent(piece, plane, axis);
@@ -108,38 +144,47 @@ void SurfaceCells::cut_triangle(std::uint32_t triangle, const std::array<Imath::
 }
 
 void SurfaceCells::sort_pieces() {
-    std::vector<std::pair<Key, std::uint32_t>> order(pieces_.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-        order[i] = {keys_[i], i};
-    parallel_sort(order.begin(), order.end(), std::less<>());
-    std::vector<Key> keys;
-    std::vector<SurfacePiece> pieces;
-    pieces.reserve(order.size());
-    for (const auto& [key, i] : order) {
-        if (keys.empty() || keys.back() != key) {
-            keys.push_back(key);
-            first_piece_.push_back(static_cast<std::uint32_t>(pieces.size()));
-        }
-        pieces.push_back(pieces_[i]);
+    // By key, then as they come, in two numbers: no key is negative.
+    struct Entry {
+        std::uint64_t xy, z_and_number;
+        auto operator<=>(const Entry&) const = default;
+    };
+    std::vector<Entry> entries(pieces_.keys.size());
+    for (std::uint32_t i = 0; i < entries.size(); ++i) {
+        const Key& key = pieces_.keys[i];
+        entries[i] = {std::uint64_t(key[0]) << 32 | std::uint64_t(key[1]),
+                      std::uint64_t(key[2]) << 32 | i};
     }
-    first_piece_.push_back(static_cast<std::uint32_t>(pieces.size()));
-    keys_ = std::move(keys);
-    pieces_ = std::move(pieces);
+    parallel_sort(entries.begin(), entries.end(), std::less<>());
+    order_.reserve(entries.size());
+    for (const Entry& entry : entries) {
+        const auto i = static_cast<std::uint32_t>(entry.z_and_number);
+        if (keys_.empty() || keys_.back() != pieces_.keys[i]) {
+            keys_.push_back(pieces_.keys[i]);
+            first_piece_.push_back(static_cast<std::uint32_t>(order_.size()));
+        }
+        order_.push_back(i);
+    }
+    first_piece_.push_back(static_cast<std::uint32_t>(order_.size()));
+    pieces_.keys = {};
 }
 
 void SurfaceCells::find_near() {
+    // Three cells one above the other follow each other. The lowest of each three moves up through
+    // the keys as the cell in the middle does.
+    std::array<std::size_t, 9> lowest{};
     for (const Key& key : keys_) {
         first_near_.push_back(static_cast<std::uint32_t>(near_.size()));
-        for (std::int32_t x = -1; x <= 1; ++x)
-            for (std::int32_t y = -1; y <= 1; ++y) {
-                // Three cells one above the other follow each other.
-                const Key low{key[0] + x, key[1] + y, key[2] - 1};
-                auto it = std::lower_bound(keys_.begin(), keys_.end(), low);
-                for (; it != keys_.end() && (*it)[0] == low[0] && (*it)[1] == low[1] &&
-                       (*it)[2] <= key[2] + 1;
-                     ++it)
-                    near_.push_back(static_cast<std::uint32_t>(it - keys_.begin()));
-            }
+        for (std::size_t column = 0; column < 9; ++column) {
+            const Key low{key[0] + static_cast<int>(column / 3) - 1,
+                          key[1] + static_cast<int>(column % 3) - 1, key[2] - 1};
+            while (lowest[column] < keys_.size() && keys_[lowest[column]] < low)
+                ++lowest[column];
+            for (std::size_t i = lowest[column]; i < keys_.size() && keys_[i][0] == low[0] &&
+                                                 keys_[i][1] == low[1] && keys_[i][2] <= key[2] + 1;
+                 ++i)
+                near_.push_back(static_cast<std::uint32_t>(i));
+        }
     }
     first_near_.push_back(static_cast<std::uint32_t>(near_.size()));
 }

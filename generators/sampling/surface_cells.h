@@ -37,9 +37,13 @@ class SurfaceCells {
     SurfaceCells(const Mesh& mesh, double side);
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(keys_.size()); }
-    std::size_t piece_count() const { return pieces_.size(); }
-    std::span<const SurfacePiece> pieces(std::uint32_t cell) const {
-        return {pieces_.data() + first_piece_[cell], first_piece_[cell + 1] - first_piece_[cell]};
+    std::size_t piece_count() const { return order_.size(); }
+
+    /// Calls found(piece) for each piece in the cell.
+    template <class Found>
+    void each_piece(std::uint32_t cell, const Found& found) const {
+        for (std::uint32_t i = first_piece_[cell]; i < first_piece_[cell + 1]; ++i)
+            found(pieces_.at(order_[i]));
     }
 
     /// The cells of the 27 cubes around, itself among them.
@@ -52,15 +56,30 @@ class SurfaceCells {
   private:
     using Key = std::array<std::int32_t, 3>;
 
-    void cut_triangle(std::uint32_t triangle, const std::array<Imath::V3d, 3>& corners);
+    /// Pieces with no more memory than they have corners: there are many, most of them triangles.
+    struct Pieces {
+        std::vector<Key> keys; // of the pieces' cells
+        std::vector<std::uint32_t> triangles;
+        std::vector<std::uint32_t> first_corner{0}; // and the end
+        std::vector<Vec2> corners;
+
+        void add(const Key& key, std::uint32_t triangle, const ConvexPiece& piece);
+        void add(const Pieces& others);
+        SurfacePiece at(std::uint32_t i) const;
+    };
+
+    void cut_triangles(const Mesh& mesh);
+    void cut_triangle(std::uint32_t triangle, const std::array<Imath::V3d, 3>& corners,
+                      Pieces& pieces);
     void sort_pieces();
     void find_near();
 
     double side_;
     Imath::V3d origin_;
     std::vector<TrianglePlane> planes_;
-    std::vector<Key> keys_; // of pieces at first, in the end of cells, ascending
-    std::vector<SurfacePiece> pieces_;
+    Pieces pieces_;
+    std::vector<std::uint32_t> order_; // of the pieces, cell by cell
+    std::vector<Key> keys_;            // of the cells, ascending
     std::vector<std::uint32_t> first_piece_;
     std::vector<std::uint32_t> near_;
     std::vector<std::uint32_t> first_near_;

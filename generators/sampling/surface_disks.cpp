@@ -84,10 +84,11 @@ Cells::Cells(const SurfaceDiskProblem& problem)
     parts_.reserve(surface_.piece_count() * classes_);
     for (std::uint32_t c = 0; c < count(); ++c) {
         Random random(seed_, Purpose::disk_start, c);
-        for (const SurfacePiece& piece : surface_.pieces(c))
+        surface_.each_piece(c, [&](const SurfacePiece& piece) {
             for (std::uint32_t k = 0; k < classes_; ++k)
                 add_part(c, {piece.piece, area(piece.piece), piece.triangle, k},
                          random.exponential());
+        });
         update_time(c);
     }
 }
