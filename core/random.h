@@ -46,6 +46,7 @@ enum class Purpose : std::uint32_t {
     pile_strew = 64,
     pile_shape = 66,
     pile_choice = 67,
+    subsurface_walk = 68,
 };
 
 /// A stream of uniform numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et al.

@@ -56,15 +56,12 @@ BsdfValue translucent(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi) {
     const float coat = fresnel_dielectric(wo.dot(m), bsdf.eta) * normal_density *
                        ggx::shadowing(wo, wi, bsdf.alpha);
     return {Color(coat, coat, coat),
-            coat_probability(bsdf, wo.z) * normal_density * ggx::masking(wo, bsdf.alpha)};
+            bsdf.albedo.at(wo.z) * normal_density * ggx::masking(wo, bsdf.alpha)};
 }
 
 BsdfSample sample_translucent(const Bsdf& bsdf, const Vec3& wo, float choice, const Vec2f& u) {
-    const float p = coat_probability(bsdf, wo.z);
-    if (choice >= p) {
-        const float weight = (1 - bsdf.albedo.at(wo.z)) / (1 - p);
-        return {-sample_cosine(u), Color(weight, weight, weight), 1, true, true};
-    }
+    if (choice >= bsdf.albedo.at(wo.z)) // even a black medium may let light through
+        return {-sample_cosine(u), Color(1.0F, 1.0F, 1.0F), 1, true, true};
     const Vec3 wi = ggx::reflect(wo, ggx::sample_visible_normal(wo, bsdf.alpha, u));
     if (wi.z <= 0)
         return {};

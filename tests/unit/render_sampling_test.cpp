@@ -77,7 +77,7 @@ void check_bsdf(const Bsdf& bsdf, int fine = 24) {
                       [&](Random& random) {
                           const float choice = random.uniform_float();
                           const BsdfSample s = bsdf.sample(wo, choice, next_pair(random));
-                          return s.pdf > 0 ? s.direction : Vec3(0.0F, 0.0F, 0.0F);
+                          return s.pdf > 0 && !s.delta ? s.direction : Vec3(0.0F, 0.0F, 0.0F);
                       },
                       [&](const Vec3& wi) { return bsdf.evaluate(wo, wi).pdf; }, fine),
                   "")
@@ -91,7 +91,7 @@ void check_weights(const Bsdf& bsdf) {
         for (int i = 0; i < 2000; ++i) {
             const float choice = random.uniform_float();
             const BsdfSample s = bsdf.sample(wo, choice, next_pair(random));
-            if (!(s.pdf > 0))
+            if (!(s.pdf > 0) || s.delta)
                 continue;
             const BsdfValue v = bsdf.evaluate(wo, s.direction);
             ASSERT_NEAR(s.pdf / v.pdf, 1, 1e-2);
@@ -144,6 +144,20 @@ TEST(Sampling, Plastic) {
         const AlbedoTable table(a, 1.5F);
         check_bsdf(make(BsdfKind::plastic, a, 1.5F, &table));
         check_weights(make(BsdfKind::plastic, a, 1.5F, &table));
+    }
+}
+
+TEST(Sampling, TranslucentOnTheWayInAndOut) {
+    for (const float a : {0.2F, 0.6F}) {
+        const AlbedoTable table(a, 1.5F);
+        for (const BsdfKind kind : {BsdfKind::translucent, BsdfKind::emerging}) {
+            check_bsdf(make(kind, a, 1.5F, &table));
+            check_weights(make(kind, a, 1.5F, &table));
+        }
+        for (const Vec3& wo : views) {
+            EXPECT_NEAR(albedo(make(BsdfKind::translucent, a, 1.5F, &table), wo), 1, 0.01);
+            EXPECT_NEAR(albedo(make(BsdfKind::emerging, a, 1.5F, &table), wo), 1, 0.001);
+        }
     }
 }
 

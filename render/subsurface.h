@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light under the surface of a translucent thing: a random walk through a medium that scatters
+// alike in all directions, from where the light comes in to where it goes out.
+#pragma once
+
+#include "core/random.h"
+#include "render/world.h"
+
+namespace scree {
+
+/// What fills a translucent thing, by channel.
+struct Medium {
+    Color color;          // share of light from all sides that half a space of it gives back
+    Color albedo;         // share of light that one scattering leaves
+    Color mean_free_path; // between two scatterings [m]
+};
+
+/// The medium of which half a space gives `color` back, by the spherical albedo of van de Hulst
+/// (1980, "Multiple light scattering"). `distance` [m] is the scale of the spot that light from
+/// all sides makes of a point; for darker media that asks for longer ways (Christensen & Burley
+/// 2015, "Approximate reflectance profiles for efficient subsurface scattering", eq. 6).
+Medium make_medium(const Color& color, const Color& distance);
+
+/// How a walk ended.
+struct Walk {
+    RawHit exit;            // on the same instance; none: out where it came in
+    Vec3 direction;         // in which it reached the exit
+    Color weight;           // what is left of what came in; black: absorbed
+    std::uint64_t rays = 0; // traced on the way
+};
+
+/// Follows light of `throughput` (not black) that goes in at `entry` along `direction`. `choice`,
+/// uniform in [0, 1), chooses the channel whose free paths are sampled; all are weighted by the
+/// balance heuristic (Veach & Guibas 1995; Chiang, Burley & Tappan 2016, "Practical and
+/// controllable subsurface scattering for production path tracing").
+///
+/// A mesh of overlapping closed parts is their union. Light that strays out of the mesh's box
+/// through a hole goes out where it came in, with the medium's color: an open mesh is opaque. So
+/// does light that has gone thousands of steps, with what is left of it.
+Walk walk_inside(const World& world, const Medium& medium, const Hit& entry, const Vec3& direction,
+                 const Color& throughput, float choice, Random& random,
+                 std::uint64_t* clock = nullptr);
+
+} // namespace scree
