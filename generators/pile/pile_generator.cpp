@@ -100,22 +100,20 @@ InsertionSettings insertion_settings(const Params& params) {
 }
 
 // Nothing where components stay where they came free.
-std::optional<Settler> settler_of(const Params& params, std::span<const PileKind> kinds,
-                                  const Mesh& target) {
+std::optional<SettleSettings> settle_settings(const Params& params) {
     const auto steps = static_cast<int>(params.integer("settle"));
     if (steps == 0)
         return {};
     if (params.text("method") != "insertion" || params.text("fill") != "surface")
         throw params.error("settle", "is for what is inserted on a surface",
                            "expected method = \"insertion\" and fill = \"surface\" beside it");
-    SettleSettings settings{.steps = steps,
-                            .sink = params.number("sink"),
-                            .overlap = params.number("overlap")};
+    SettleSettings settings{
+        .steps = steps, .sink = params.number("sink"), .overlap = params.number("overlap")};
     if (params.has("settle_turn"))
         settings.turn = params.number("settle_turn");
     else if (params.text("frame") != "surface")
         settings.turn = 0;
-    return Settler(kinds, target, settings);
+    return settings;
 }
 
 ThesisSettings thesis_settings(const Params& params) {
@@ -156,18 +154,36 @@ std::optional<OrientationFlow> flow_of(const Params& params) {
     return orientation_flow(params.record("flow"));
 }
 
+/// What the parameters ask for: all that can be wrong with them by themselves is told before
+/// anything is prepared.
+struct PileSettings {
+    explicit PileSettings(const Params& params)
+        : solid(solid_fill(params)), relaxation(relax_settings(params)),
+          settling(settle_settings(params)), flow(flow_of(params)), cut(cut_plane(params)) {
+        if (params.text("method") == "thesis")
+            thesis = thesis_settings(params);
+        else if (!relaxation)
+            insertion = insertion_settings(params);
+    }
+
+    std::optional<SolidFill> solid;
+    std::optional<RelaxSettings> relaxation;
+    std::optional<ThesisSettings> thesis;
+    InsertionSettings insertion;
+    std::optional<SettleSettings> settling;
+    std::optional<OrientationFlow> flow;
+    std::optional<CutPlane> cut;
+};
+
 Aggregate bake_pile(const Params& params, const Context& context) {
     Stages stages;
     const auto seed = static_cast<std::uint64_t>(params.integer("seed"));
-    const bool thesis = params.text("method") == "thesis";
-    const std::optional<SolidFill> solid = solid_fill(params);
-    const std::optional<RelaxSettings> relaxation = relax_settings(params);
+    const PileSettings settings(params);
     const std::vector<PileKind> kinds = pile_kinds(params);
-    const std::optional<OrientationFlow> flow = flow_of(params);
     const PileTurns turns{.kinds = kinds,
                           .frame = params.text("frame") == "global" ? PileFrame::global
                                                                     : PileFrame::surface,
-                          .flow = flow ? &*flow : nullptr,
+                          .flow = settings.flow ? &*settings.flow : nullptr,
                           .seed = seed};
     stages.end("preparing");
 
@@ -176,24 +192,25 @@ Aggregate bake_pile(const Params& params, const Context& context) {
         located(params, "target", [&] { return pile_sites(*target, turns, context); });
     stages.end("sampling");
 
-    const std::optional<Settler> settler = settler_of(params, kinds, *target);
     Pile pile(kinds);
     std::size_t tried = sites.size();
     std::optional<Pile> strewn;
-    if (relaxation) {
+    if (settings.relaxation) {
         strewn.emplace(kinds);
-        tried = place_relaxed(pile, *strewn, *target, turns, std::move(sites), *relaxation, solid,
-                              params.number("cover"), context);
-    } else if (thesis) {
-        place_by_thesis(pile, merge_large_to_small(kinds, sites), thesis_settings(params), context);
-    } else if (solid) {
-        tried = fill_solid(pile, *target, turns, std::move(sites), *solid,
-                           insertion_settings(params), context);
+        tried = place_relaxed(pile, *strewn, *target, turns, std::move(sites), *settings.relaxation,
+                              settings.solid, params.number("cover"), context);
+    } else if (settings.thesis) {
+        place_by_thesis(pile, merge_large_to_small(kinds, sites), *settings.thesis, context);
+    } else if (settings.solid) {
+        tried = fill_solid(pile, *target, turns, std::move(sites), *settings.solid,
+                           settings.insertion, context);
     } else {
-        InsertionSettings settings = insertion_settings(params);
-        settings.settler = settler ? &*settler : nullptr;
-        tried = pile_up(pile, *target, turns, std::move(sites), settings,
-                        params.number("cover"), context);
+        InsertionSettings insertion = settings.insertion;
+        std::optional<Settler> settler;
+        if (settings.settling)
+            insertion.settler = &settler.emplace(kinds, *target, *settings.settling);
+        tried = pile_up(pile, *target, turns, std::move(sites), insertion, params.number("cover"),
+                        context);
     }
     stages.end("placing");
 
@@ -208,16 +225,18 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     aggregate.seed = seed;
     for (const PileKind& kind : kinds)
         aggregate.prototypes.push_back(kind.component.prototype);
-    const Pile shown = cut_open(pile, params);
+    const std::optional<Pile> cut =
+        settings.cut ? std::optional(cut_open(pile, *settings.cut)) : std::nullopt;
+    const Pile& shown = cut ? *cut : pile;
     aggregate.instances = instances_of(shown, seed, placement(params));
     aggregate.facts = {{"count", double(shown.all.size())}, {"dropped", double(tried - placed)}};
-    if (params.has("cut"))
+    if (cut)
         aggregate.facts.emplace_back("cut", double(pile.all.size() - shown.all.size()));
-    add_counts(pile, aggregate.facts);
+    add_counts(shown, aggregate.facts);
     aggregate.facts.insert(aggregate.facts.end(), support.begin(), support.end());
     if (params.integer("measure") > 0) {
         aggregate.facts.emplace_back("cover", measured_cover(pile, *target, seed));
-        if (solid)
+        if (settings.solid)
             aggregate.facts.emplace_back("fill", filled_share(pile, *target, seed));
         add_overlap(pile, strewn ? *strewn : at_start(pile),
                     static_cast<std::size_t>(params.integer("measure")), aggregate.facts);

@@ -33,17 +33,21 @@ std::optional<SolidFill> solid_fill(const Params& params) {
     return fill;
 }
 
-Pile cut_open(const Pile& pile, const Params& params) {
+std::optional<CutPlane> cut_plane(const Params& params) {
     if (!params.has("cut"))
-        return pile;
+        return {};
     const Params& cut = params.record("cut");
-    const Imath::V3d normal(cut.vector3("normal"));
-    if (!(normal.length() > 0))
+    const CutPlane plane{.point = Imath::V3d(cut.vector3("point")),
+                         .normal = Imath::V3d(cut.vector3("normal"))};
+    if (!(plane.normal.length() > 0))
         throw cut.error("normal", "is no direction", "expected a vector that is not zero");
-    const Imath::V3d point(cut.vector3("point"));
+    return plane;
+}
+
+Pile cut_open(const Pile& pile, const CutPlane& plane) {
     Pile kept(pile.kinds);
     for (const Placed& placed : pile.all)
-        if ((placed.pose.centre - point).dot(normal) <= 0)
+        if ((placed.pose.centre - plane.point).dot(plane.normal) <= 0)
             kept.add(placed);
     return kept;
 }
