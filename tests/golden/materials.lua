@@ -18,6 +18,10 @@ return scene {
     ball(0.36, material.glass {}),
     ball(0.72, material.glass { roughness = 0.4 }),
     object {
+      shape = mesh.sphere { radius = 0.1 }, position = { 0.16, 0.1, 0.4 },
+      material = material.translucent { color = { 0.9, 0.7, 0.5 }, distance = 0.03, spread = { 1, 0.5, 0.25 } },
+    },
+    object {
       shape = mesh.plane { size = 8 },
       material = material.matte { color = procedural.checker { size = 0.25 } },
     },
