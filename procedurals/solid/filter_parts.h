@@ -3,8 +3,10 @@
 
 #include "procedurals/solid/solid_procedural.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace scree {
 

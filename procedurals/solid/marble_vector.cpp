@@ -4,12 +4,9 @@
 #include "procedurals/solid/marble_vector.h"
 
 #include "procedurals/solid/filter_parts.h"
-#include "procedurals/solid/solid_procedural.h"
 #include "procedurals/solid/vector_path.h"
 
-#include <array>
 #include <bit>
-#include <cassert>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "procedurals/solid/marble_vector.cpp"
