@@ -85,6 +85,54 @@ TEST(PileSettle, LoneBallReachesTheGround) {
     EXPECT_NEAR(deep.settle(Pile(kinds), start).pose.centre.y, -0.05 * r, 0.011 * r);
 }
 
+// Three balls lie on the ground at the corners of a triangle; a fourth that touches all of them has
+// its centre above the middle. It begins on one of them, off the saddles where slopes are too
+// slight for it to go on.
+TEST(PileSettle, BallRollsIntoThePocketOfThree) {
+    constexpr double r = 0.01;
+    const std::vector<PileKind> kinds{kind_of(component_mesh("sphere", {{"radius", r}}))};
+    const Mesh floor = floor_of(0.2);
+    const Settler settler(kinds, floor, {.steps = 200});
+    for (const double side : {2.3 * r, 2.5 * r, 2.8 * r}) {
+        const double from_middle = side / std::sqrt(3.0);
+        Pile pile(kinds);
+        for (int k = 0; k < 3; ++k) {
+            Placed corner;
+            corner.pose.centre = {from_middle * std::cos(2 * pi * k / 3), 0,
+                                  from_middle * std::sin(2 * pi * k / 3)};
+            pile.add(corner);
+        }
+        const auto lowest_free = [&](double x, double z) {
+            double height = 0;
+            for (const Placed& corner : pile.all) {
+                const double away = std::hypot(x - corner.pose.centre.x, z - corner.pose.centre.z);
+                height = std::max(height, std::sqrt(4 * r * r - away * away));
+            }
+            return height;
+        };
+        for (int k = 0; k < 12; ++k) {
+            Placed start;
+            const double angle = 2 * pi * k / 3 + 0.12 * (k / 3 - 1.5);
+            const double x = 0.4 * from_middle * std::cos(angle);
+            const double z = 0.4 * from_middle * std::sin(angle);
+            start.pose.centre = {x, lowest_free(x, z) + 0.05 * r, z};
+            const Imath::V3d end = settler.settle(pile, start).pose.centre;
+            EXPECT_NEAR(end.y, lowest_free(0, 0), 0.07 * r) << side << " " << k;
+            EXPECT_NEAR(std::hypot(end.x, end.z), 0, 0.2 * r) << side << " " << k;
+        }
+    }
+}
+
+TEST(PileSettle, ThickSkinOfRiceHidesABall) {
+    std::vector<PileKind> kinds{kind_of(rice())};
+    kinds[0].spacing = 1;
+    kinds[0].refine = 16;
+    const Mesh target = ball(0.012);
+    const Pile pile = piled(kinds, target, 10, 0.995);
+    const std::vector<OutsideRay> rays = outside_rays(target, 8192, 99, 5);
+    EXPECT_LE(open_rays(pile, rays).size(), rays.size() / 100);
+}
+
 TEST(PileSettle, SpheresOnAPlaneRestLower) {
     std::vector<PileKind> kinds{kind_of(ball(0.01))};
     kinds[0].spacing = 1.2; // nearer to each other than they fit beside

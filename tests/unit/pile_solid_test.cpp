@@ -86,16 +86,36 @@ TEST(PileSolid, FilledShareOfOneBallInAnother) {
     EXPECT_NEAR(filled_share(pile, ball(0.01), 1), 0.125, 0.01);
 }
 
-TEST(PileSolid, CutLeavesWhatIsBelowThePlane) {
-    Params params = solid_params(0.01);
-    const Aggregate whole = pile_plugin().make(params, {});
+// Leaves out what lies above a height.
+void cut_at(float height, Params& params) {
     for (const ParamSpec& spec : pile_plugin().params)
         if (spec.name == "cut") {
             Params cut = tests::defaults(spec.fields, "generator.pile.cut");
             cut.set("normal", Vec3(0, 2, 0));
-            cut.set("point", Vec3(0, 0.01F, 0));
+            cut.set("point", Vec3(0, height, 0));
             params.set("cut", std::make_shared<const std::vector<Params>>(std::vector{cut}));
         }
+}
+
+TEST(PileSolid, CountsAreOfWhatTheCutLeaves) {
+    Params params =
+        tests::pile_params(ball(0.01), {tests::pile_component(component_mesh("rice", {})),
+                                        tests::pile_component(ball(0.001))});
+    cut_at(0.002F, params);
+    const Aggregate half = pile_plugin().make(params, {});
+    std::array<double, 2> counted{0, 0};
+    for (const Instance& instance : half.instances)
+        ++counted.at(instance.prototype);
+    EXPECT_GT(fact(half, "cut"), 0);
+    EXPECT_EQ(fact(half, "count"), counted[0] + counted[1]);
+    EXPECT_EQ(fact(half, "count_1"), counted[0]);
+    EXPECT_EQ(fact(half, "count_2"), counted[1]);
+}
+
+TEST(PileSolid, CutLeavesWhatIsBelowThePlane) {
+    Params params = solid_params(0.01);
+    const Aggregate whole = pile_plugin().make(params, {});
+    cut_at(0.01F, params);
     const Aggregate half = pile_plugin().make(params, {});
     const Vec3 origin = tests::prepared(component_mesh("rice", {})).origin;
     std::size_t below = 0;

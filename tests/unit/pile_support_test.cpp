@@ -104,6 +104,25 @@ TEST(PileSupport, WhatHangsOrClingsToASideFalls) {
     EXPECT_EQ(indices(support.unsupported), Indices{2});
 }
 
+// Cards flat on each other: one stays as long as its middle is over those below.
+TEST(PileSupport, CardsThatOverhangByMoreThanHalfFall) {
+    constexpr double side = 0.02;
+    constexpr double thickness = 0.0005;
+    std::vector<PileKind> kinds(1);
+    kinds[0].component = tests::prepared(component_mesh("plane", {{"size", side}}), thickness);
+    for (const double share : {-0.6, -0.4, 0.0, 0.4, 0.6}) {
+        const Pile pile = pile_at(kinds, {{0, 0.5 * thickness, 0},
+                                          {share * side, 1.5 * thickness, 0},
+                                          {share * side, 2.5 * thickness, 0},
+                                          {0, 6 * thickness, 0}});
+        const Support support = support_on_floor(pile);
+        const bool falls = std::abs(share) > 0.5;
+        EXPECT_EQ(indices(support.floating), Indices{3}) << share;
+        EXPECT_EQ(indices(support.unsupported), falls ? Indices{1} : Indices{}) << share;
+        EXPECT_EQ(indices(support.falling), falls ? (Indices{1, 2, 3}) : Indices{3}) << share;
+    }
+}
+
 TEST(PileSupport, WhatSticksToTheTargetStays) {
     const std::vector<PileKind> kinds = kinds_of({ball()});
     const Mesh target = component_mesh("sphere", {{"radius", 0.02}}); // stands on y = 0
