@@ -84,7 +84,7 @@ void check_channel(const TextureJob& job, std::span<const Image> images) {
     const bool number = channel == TextureChannel::height || channel == TextureChannel::value;
     if (channel == TextureChannel::roughness && is_somewhere(images, ShadingSample::unset))
         throw job.subject.material_error("neither the procedural nor the material has a roughness",
-                                         "material.plastic and material.metal have one");
+                                         "material.plastic, metal and translucent have one");
     if ((number && is_everywhere(images, 0, 0)) ||
         (channel == TextureChannel::normal && is_everywhere(images, 2, 1)))
         job.console.say(fmt::format("warning: the {} is the same everywhere: this procedural gives "

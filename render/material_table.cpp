@@ -146,35 +146,35 @@ Plugin<MakeMaterial> glass_plugin() {
 }
 
 Plugin<MakeMaterial> translucent_plugin() {
-    return {
-        "translucent",
-        "A closed mesh under whose clear coat light walks about, for wax, marble, fruit and rice.",
-        {paint_spec(Color(0.8F, 0.8F, 0.8F),
-                    "Share of light that comes back out of a thick piece."),
-         palette_spec(),
-         {.name = "distance",
-          .type = ParamType::number,
-          .doc = "How far light spreads under the surface; for bright colours the mean way "
-                 "from one scattering to the next.",
-          .unit = "m",
-          .fallback = 0.001,
-          .min = 1e-6,
-          .max = 1e3},
-         color_spec("spread", "Factor of `distance` by channel, each from 0.001 to 1."),
-         roughness_spec(0.3),
-         ior_spec()},
-        [](const Params& params) -> Material {
-            Translucent translucent;
-            translucent.paint = make_paint(params);
-            translucent.roughness = float_number(params, "roughness");
-            translucent.ior = float_number(params, "ior");
-            const Color& spread = params.color("spread");
-            for (int i = 0; i < 3; ++i)
-                if (!(spread[i] >= 0.001F && spread[i] <= 1))
-                    throw params.error("spread", "each part must be from 0.001 to 1");
-            translucent.distance = spread * float_number(params, "distance");
-            return translucent;
-        }};
+    return {"translucent",
+            "Light walks about under the clear coat of a closed mesh, for wax, marble, fruit and "
+            "rice; an open mesh looks like plastic.",
+            {paint_spec(Color(0.8F, 0.8F, 0.8F),
+                        "Share of light that comes back out of a thick piece."),
+             palette_spec(),
+             {.name = "distance",
+              .type = ParamType::number,
+              .doc = "How far light spreads under the surface; for bright colours the mean way "
+                     "from one scattering to the next. In the scene, whatever the object's scale.",
+              .unit = "m",
+              .fallback = 0.001,
+              .min = 1e-6,
+              .max = 1e3},
+             color_spec("spread", "Factor of `distance` by channel, each from 0.001 to 1."),
+             roughness_spec(0.3),
+             ior_spec()},
+            [](const Params& params) -> Material {
+                Translucent translucent;
+                translucent.paint = make_paint(params);
+                translucent.roughness = float_number(params, "roughness");
+                translucent.ior = float_number(params, "ior");
+                const Color& spread = params.color("spread");
+                for (int i = 0; i < 3; ++i)
+                    if (!(spread[i] >= 0.001F && spread[i] <= 1))
+                        throw params.error("spread", "each part must be from 0.001 to 1");
+                translucent.distance = spread * float_number(params, "distance");
+                return translucent;
+            }};
 }
 
 } // namespace

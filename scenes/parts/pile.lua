@@ -23,6 +23,16 @@ function pile.rice_ball(size)
   }
 end
 
+-- Steamed rice: light goes a third of a millimetre into a grain before it is scattered, and a film
+-- of starch and water lies on it.
+function pile.steamed_rice()
+  local tones = {}
+  for i, tone in ipairs { "#f3ebd8", "#efe5ce", "#f6f0e0", "#ece1c8", "#f2ebdb" } do tones[i] = srgb(tone) end
+  return material.translucent {
+    palette = tones, distance = mm(0.35), spread = { 1, 0.95, 0.85 }, roughness = 0.14, ior = 1.42,
+  }
+end
+
 -- A table top for things `size` large.
 function pile.table_top(size, color)
   return object {

@@ -251,7 +251,7 @@ TEST_F(MarbleCli, NamesWhatIsWrongInTheScene) {
                  "texture is of one\n  put the one you want into an object { shape, material }\n");
     expect_error("checker.lua -o a.png --channel roughness", 1,
                  "checker.lua:10: object.material: neither the procedural nor the material has a "
-                 "roughness\n  material.plastic and material.metal have one\n");
+                 "roughness\n  material.plastic, metal and translucent have one\n");
     write_file(path("flat.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
     expect_error("marble.lua -o a.png --object 4", 1,
                  "marble.lua:11: object.shape: flat.obj has UVs without any area, so a texture has "
