@@ -5,6 +5,7 @@
 #include "generators/layout/gap_field_source.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace scree {
 

@@ -4,6 +4,8 @@
 #include "core/params.h"
 #include "generators/layout/domain_test.h"
 
+#include <limits>
+
 namespace scree {
 
 enum class Selection {

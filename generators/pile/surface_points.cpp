@@ -3,6 +3,7 @@
 
 #include "generators/sampling/surface_disks.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <compare>
 #include <functional>
+#include <limits>
 
 namespace scree {
 

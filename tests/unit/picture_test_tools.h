@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/picture.h"
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
