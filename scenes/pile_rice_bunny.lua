@@ -18,7 +18,7 @@ local table_top = material.plastic { color = srgb("#5a4030"), roughness = 0.25 }
 local dish = mesh.cylinder { radius = mm(98), height = mm(5), segments = 128 }
 
 return scene {
-  film = { width = 1280, height = 720, samples = 128, clamp = 4, depth = 12, exposure = 0.1 },
+  film = { width = 1280, height = 720, samples = 128, clamp = 4, depth = 12, exposure = 0.4 },
   camera = camera.perspective { from = { 0.12, 0.235, 0.4 }, at = { 0.002, 0.068, 0 }, fov = 25, aperture = 0.004, focus = 0.4 },
   lights = {
     light.sky { zenith = { 0.75, 0.85, 1.0 }, horizon = { 1.0, 0.97, 0.93 }, ground = { 0.25, 0.2, 0.17 }, strength = 0.42 },
