@@ -47,8 +47,10 @@ class Cells {
         return part.area / limit2(part.disk_class, part.disk_class);
     }
     bool is_free(std::uint32_t c, const SurfaceSample& sample) const;
+    bool is_covered(std::uint32_t c, const Part& part) const;
     bool cut(std::uint32_t c, Part& part) const;
     void keep_uncovered(std::uint32_t c, const Part& part, Random& random);
+    void throw_dart(std::uint32_t c, const Part& part);
     void add_part(std::uint32_t c, const Part& part, double exponential);
     void update_time(std::uint32_t c);
 
@@ -121,6 +123,20 @@ bool Cells::is_free(std::uint32_t c, const SurfaceSample& sample) const {
     return true;
 }
 
+// Whether one sample near covers all of it, as happens to most of a fine mesh's parts.
+bool Cells::is_covered(std::uint32_t c, const Part& part) const {
+    const BoundingCircle circle = bounding_circle(part.piece);
+    const Imath::V3d middle = surface_.plane(part.triangle).at(circle.centre);
+    for (const std::uint32_t cell : surface_.near(c))
+        for (const SurfaceSample& other : samples_[cell]) {
+            const double within =
+                distances_[part.disk_class * classes_ + other.disk_class] - doubt_ - circle.radius;
+            if (within > 0 && (other.position - middle).length2() < within * within)
+                return true;
+        }
+    return false;
+}
+
 // Takes from the part what the samples near cover. Whether anything is left.
 bool Cells::cut(std::uint32_t c, Part& part) const {
     const TrianglePlane& plane = surface_.plane(part.triangle);
@@ -135,7 +151,7 @@ bool Cells::cut(std::uint32_t c, Part& part) const {
             if (away2 > far * far)
                 continue;
             const double within = distance - circle.radius;
-            if (within > 0 && away2 < within * within) // as most of a fine mesh's are
+            if (within > 0 && away2 < within * within)
                 return false;
             const double height = plane.height(other.position);
             const double limit = distance * distance - height * height;
@@ -172,9 +188,15 @@ void Cells::keep_uncovered(std::uint32_t c, const Part& part, Random& random) {
 void Cells::happen(std::uint32_t c) {
     ++trials_;
     now_ = time_[c];
+    const Part part = parts_.take(part_of_[c]);
+    if (!is_covered(c, part)) // where no dart could hit
+        throw_dart(c, part);
+    update_time(c);
+}
+
+void Cells::throw_dart(std::uint32_t c, const Part& part) {
     Random random(seed_, Purpose::disk_dart,
                   std::uint64_t{c} << 32 | std::bit_cast<std::uint32_t>(now_));
-    const Part part = parts_.take(part_of_[c]);
     const double u = random.bits() * 0x1p-32;
     const double v = random.bits() * 0x1p-32;
     const TrianglePlane& plane = surface_.plane(part.triangle);
@@ -193,7 +215,6 @@ void Cells::happen(std::uint32_t c) {
         });
     }
     keep_uncovered(c, part, random);
-    update_time(c);
 }
 
 SurfaceDiskSet Cells::result() const {
