@@ -123,29 +123,33 @@ class NearestTriangles {
                 if (done[at])
                     continue;
                 done[at] = 1;
-                hand_on(at, [&](std::size_t to, const Vec3& p) {
-                    if (!done[to] && try_triangle(to, p, nearest_[at]))
+                each_beside(at, [&](std::size_t to, const std::array<int, 3>& cell) {
+                    if (!done[to] && nearest_[to] != nearest_[at] &&
+                        distance_[at] - step_ < distance_[to] &&
+                        try_triangle(to, position(cell[0], cell[1], cell[2]), nearest_[at]))
                         wait(to, b);
                 });
             }
     }
 
-    // Calls to(sample, its position) for those of the six around that may gain.
-    template <class To>
-    void hand_on(std::size_t at, const To& to) const {
-        const std::array<int, 3> cell{static_cast<int>(at % stride_[1]),
-                                      static_cast<int>(at % stride_[2] / stride_[1]),
-                                      static_cast<int>(at / stride_[2])};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (const int way : {-1, 1}) {
-                std::array<int, 3> next = cell;
-                next[axis] += way;
-                if (next[axis] < 0 || next[axis] >= grid_.count[axis])
-                    continue;
-                const std::size_t i = way < 0 ? at - stride_[axis] : at + stride_[axis];
-                if (nearest_[i] != nearest_[at] && distance_[at] - step_ < distance_[i])
-                    to(i, position(next[0], next[1], next[2]));
-            }
+    // Calls found(sample, its cell) for the six around.
+    template <class Found>
+    void each_beside(std::size_t at, const Found& found) const {
+        const auto layer = static_cast<std::uint32_t>(stride_[2]);
+        const auto row = static_cast<std::uint32_t>(stride_[1]);
+        const std::uint32_t k = static_cast<std::uint32_t>(at) / layer;
+        const std::uint32_t in_layer = static_cast<std::uint32_t>(at) - k * layer;
+        const std::uint32_t j = in_layer / row;
+        std::array<int, 3> cell{static_cast<int>(in_layer - j * row), static_cast<int>(j),
+                                static_cast<int>(k)};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int own = cell[axis];
+            if ((cell[axis] = own - 1) >= 0)
+                found(at - stride_[axis], cell);
+            if ((cell[axis] = own + 1) < grid_.count[axis])
+                found(at + stride_[axis], cell);
+            cell[axis] = own;
+        }
     }
 
     VoxelGrid grid_;
