@@ -93,14 +93,9 @@ std::vector<Ball> points_as_balls(const std::vector<Vec3>& points, double radius
     return balls;
 }
 
-void prepare_sheet(PileComponent& component, double thickness) {
-    const Mesh& mesh = *component.prototype.mesh;
-    const Imath::V3f middle = bounds(mesh).center();
-    component.radius = thickness / 2;
-    component.skin = thickness / 2;
-    component.distribution_radius = std::sqrt(area(mesh) / pi) / 4;
-    component.origin = middle;
-    const Mesh own = moved(mesh, middle);
+void complete_sheet(PileComponent& component) {
+    const double thickness = 2 * component.skin;
+    const Mesh own = moved(*component.prototype.mesh, component.origin);
     component.distance = SignedDistanceGrid(own, thickness / 2.5, thickness);
     std::vector<Vec3> points =
         surface_points(own, std::max(thickness / 2, spacing_for(own, most_samples))).positions;
@@ -111,33 +106,51 @@ void prepare_sheet(PileComponent& component, double thickness) {
     component.samples = BallTree(points_as_balls(points));
 }
 
-void prepare_solid(PileComponent& component) {
+ComponentDraft draft_sheet(PileComponent component, double thickness) {
     const Mesh& mesh = *component.prototype.mesh;
+    component.radius = thickness / 2;
+    component.skin = thickness / 2;
+    component.distribution_radius = std::sqrt(area(mesh) / pi) / 4;
+    component.origin = bounds(mesh).center();
+    return {std::move(component), complete_sheet};
+}
+
+/// Where the largest inner ball of a solid was found: samples of its surface and their poles.
+struct InnerBalls {
+    double spacing = 0; // of the samples [m]
+    SurfacePoints points;
+    std::vector<Ball> poles;
+    Ball largest;
+};
+
+InnerBalls inner_balls(const Mesh& mesh) {
     const bool inside_out = volume(mesh) < 0;
-    double spacing = spacing_for(mesh, sample_count);
-    SurfacePoints points = surface_points(mesh, spacing);
-    std::vector<Ball> poles = poles_of(points, inside_out);
-    Ball ball = largest_ball(mesh, poles);
-    if (spacing > most_sample_spacing * double(ball.radius)) {
-        spacing =
-            std::max(most_sample_spacing * double(ball.radius), spacing_for(mesh, most_samples));
-        points = surface_points(mesh, spacing);
-        poles = poles_of(points, inside_out);
-        ball = largest_ball(mesh, poles);
-    }
-    component.radius = double(ball.radius);
-    component.distribution_radius = component.radius / 2;
-    component.origin = ball.centre;
-    const Mesh own = moved(mesh, ball.centre);
+    InnerBalls found;
+    const auto look = [&](double spacing) {
+        found.spacing = spacing;
+        found.points = surface_points(mesh, spacing);
+        found.poles = poles_of(found.points, inside_out);
+        found.largest = largest_ball(mesh, found.poles);
+    };
+    look(spacing_for(mesh, sample_count));
+    const double coarsest = most_sample_spacing * double(found.largest.radius);
+    if (found.spacing > coarsest)
+        look(std::max(coarsest, spacing_for(mesh, most_samples)));
+    return found;
+}
+
+void complete_solid(PileComponent& component, const InnerBalls& inner) {
+    const Vec3 origin = component.origin;
+    const Mesh own = moved(*component.prototype.mesh, origin);
     // No ball of another that touches it has its centre farther away, if it is not the larger one.
     component.distance = SignedDistanceGrid(own, grid_step * component.radius, 0, most_grid_samples,
                                             component.radius);
-    poles = inscribed(std::move(poles), component, spacing);
-    poles.insert(poles.begin(), Ball{Vec3(0), ball.radius});
+    std::vector<Ball> poles = inscribed(inner.poles, component, inner.spacing);
+    poles.insert(poles.begin(), Ball{Vec3(0), inner.largest.radius});
 
     std::vector<Vec3> skin;
-    for (const Vec3& p : points.positions)
-        skin.push_back(p - ball.centre);
+    for (const Vec3& p : inner.points.positions)
+        skin.push_back(p - origin);
     std::vector<bool> reached;
     component.balls =
         covering_balls(poles, skin, ball_tolerance * component.radius, most_balls, reached);
@@ -156,20 +169,34 @@ void prepare_solid(PileComponent& component) {
     component.samples = BallTree(points_as_balls(skin));
 }
 
+ComponentDraft draft_solid(PileComponent component) {
+    InnerBalls inner = inner_balls(*component.prototype.mesh);
+    component.radius = double(inner.largest.radius);
+    component.distribution_radius = component.radius / 2;
+    component.origin = inner.largest.centre;
+    return {std::move(component),
+            [inner = std::move(inner)](PileComponent& to) { complete_solid(to, inner); }};
+}
+
 } // namespace
 
-PileComponent prepare_component(Prototype prototype, double thickness) {
+ComponentDraft draft_component(Prototype prototype, double thickness) {
     check(*prototype.mesh, thickness);
     PileComponent component;
     component.prototype = std::move(prototype);
-    if (thickness > 0)
-        prepare_sheet(component, thickness);
-    else
-        prepare_solid(component);
-    for (const Vec3& p : component.prototype.mesh->positions)
-        component.reach = std::max(component.reach, double((p - component.origin).length()));
-    component.reach += thickness / 2;
-    return component;
+    ComponentDraft draft = thickness > 0 ? draft_sheet(std::move(component), thickness)
+                                         : draft_solid(std::move(component));
+    PileComponent& begun = draft.component;
+    for (const Vec3& p : begun.prototype.mesh->positions)
+        begun.reach = std::max(begun.reach, double((p - begun.origin).length()));
+    begun.reach += thickness / 2;
+    return draft;
+}
+
+PileComponent prepare_component(Prototype prototype, double thickness) {
+    ComponentDraft draft = draft_component(std::move(prototype), thickness);
+    draft.complete(draft.component);
+    return std::move(draft.component);
 }
 
 } // namespace scree

@@ -4,6 +4,8 @@
 #include "core/aggregate.h"
 #include "generators/pile/ball_tree.h"
 
+#include <functional>
+
 namespace scree {
 
 /// A component made ready to be piled. Its own frame, in which all but the prototype is, is that
@@ -22,9 +24,19 @@ struct PileComponent {
     BallTree samples; // to measure with: dense on the mesh and at the balls' centres, radius 0
 };
 
-/// Prepares a closed mesh, or, with `thickness` [m] > 0, one as a sheet. Throws Error for a mesh
-/// without area or with numbers that are not finite, and for one to be closed that has edges
+/// A component whose size is known, which is enough to find sites for it. `complete()`, which
+/// throws no user's error, makes the rest: its distance, balls, probe and samples.
+struct ComponentDraft {
+    PileComponent component;
+    std::function<void(PileComponent&)> complete;
+};
+
+/// Begins with a closed mesh, or, with `thickness` [m] > 0, with one as a sheet. Throws Error for a
+/// mesh without area or with numbers that are not finite, and for one to be closed that has edges
 /// without or with too many neighbours, with their counts, or no inside.
+ComponentDraft draft_component(Prototype prototype, double thickness = 0);
+
+/// The whole component at once. Throws as `draft_component`.
 PileComponent prepare_component(Prototype prototype, double thickness = 0);
 
 } // namespace scree

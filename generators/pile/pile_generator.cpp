@@ -179,7 +179,8 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     Stages stages;
     const auto seed = static_cast<std::uint64_t>(params.integer("seed"));
     const PileSettings settings(params);
-    const std::vector<PileKind> kinds = pile_kinds(params);
+    PileKinds drafts(params);
+    const std::vector<PileKind>& kinds = drafts.kinds;
     const PileTurns turns{.kinds = kinds,
                           .frame = params.text("frame") == "global" ? PileFrame::global
                                                                     : PileFrame::surface,
@@ -188,8 +189,14 @@ Aggregate bake_pile(const Params& params, const Context& context) {
     stages.end("preparing");
 
     const std::shared_ptr<const Mesh> target = params.mesh("target");
-    std::vector<PileSite> sites =
-        located(params, "target", [&] { return pile_sites(*target, turns, context); });
+    std::vector<PileSite> sites;
+    // Sites go by the components' sizes alone, so that the rest of these is made meanwhile.
+    parallel_for(kinds.size() + 1, 1, [&](std::size_t i) {
+        if (i == 0)
+            sites = located(params, "target", [&] { return pile_sites(*target, turns, context); });
+        else
+            drafts.complete(i - 1);
+    });
     stages.end("sampling");
 
     Pile pile(kinds);

@@ -69,10 +69,9 @@ std::vector<Prototype> prototypes_of(const Params& component, std::uint64_t seed
 
 } // namespace
 
-std::vector<PileKind> pile_kinds(const Params& params) {
+PileKinds::PileKinds(const Params& params) {
     const std::vector<Params>& components = params.list("components");
     const bool thesis = params.text("method") == "thesis";
-    std::vector<PileKind> kinds;
     const auto seed = static_cast<std::uint64_t>(params.integer("seed"));
     for (const Params& component : components) {
         const double thickness = thickness_of(component);
@@ -80,11 +79,14 @@ std::vector<PileKind> pile_kinds(const Params& params) {
         std::vector<Prototype> shapes = prototypes_of(component, seed + kinds.size());
         const std::size_t first = kinds.size();
         kinds.resize(first + shapes.size());
+        completions.resize(kinds.size());
         parallel_for(shapes.size(), 1, [&](std::size_t i) {
+            ComponentDraft draft = located(component, "shape", [&] {
+                return draft_component(std::move(shapes[i]), thickness);
+            });
+            completions[first + i] = std::move(draft.complete);
             kinds[first + i] = {
-                .component =
-                    located(component, "shape",
-                            [&] { return prepare_component(std::move(shapes[i]), thickness); }),
+                .component = std::move(draft.component),
                 .weight = i == 0 ? component.number("weight") : 0,
                 .shapes = i == 0 ? static_cast<std::uint32_t>(shapes.size()) : 0,
                 .spacing = spacing,
@@ -94,7 +96,6 @@ std::vector<PileKind> pile_kinds(const Params& params) {
             };
         });
     }
-    return kinds;
 }
 
 } // namespace scree

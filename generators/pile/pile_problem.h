@@ -6,8 +6,16 @@
 
 namespace scree {
 
-/// The components of generator.pile, prepared. Throws Error, located, for a mesh that cannot be
-/// piled (see `prepare_component`) and a thickness of what is no sheet.
-std::vector<PileKind> pile_kinds(const Params& params);
+/// The components of generator.pile, drafted: `complete(k)` is to be called for every kind before
+/// any is placed, in any order, on any thread. Throws Error, located, for a mesh that cannot be
+/// piled (see `draft_component`) and a thickness of what is no sheet.
+struct PileKinds {
+    explicit PileKinds(const Params& params);
+
+    void complete(std::size_t kind) { completions[kind](kinds[kind].component); }
+
+    std::vector<PileKind> kinds;
+    std::vector<std::function<void(PileComponent&)>> completions;
+};
 
 } // namespace scree
