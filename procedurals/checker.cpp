@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "procedurals/checker.h"
 
+#include "procedurals/reflectance.h"
+
 #include <algorithm>
 
 namespace scree {
@@ -22,8 +24,8 @@ double filtered_wave(double x, double width) {
 class Checker final : public Procedural {
   public:
     explicit Checker(const Params& params)
-        : size_(params.number("size")), even_(params.color("color_a")),
-          odd_(params.color("color_b")) {}
+        : size_(params.number("size")), even_(reflectance(params, "color_a")),
+          odd_(reflectance(params, "color_b")) {}
 
     bool solid() const override { return true; }
 

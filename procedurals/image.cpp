@@ -2,6 +2,7 @@
 #include "procedurals/image.h"
 
 #include "core/picture_filter.h"
+#include "procedurals/reflectance.h"
 
 #include <algorithm>
 #include <optional>
@@ -57,7 +58,7 @@ std::shared_ptr<const Procedural> make_image(const Params& params) {
     };
     std::optional<Color> ground;
     if (params.has("ground"))
-        ground = params.color("ground");
+        ground = reflectance(params, "ground");
     return std::make_shared<ImageTexture>(
         read().image, params.flag("repeats") ? Beyond::repeated : Beyond::clamped, ground);
 }

@@ -2,6 +2,7 @@
 #include "procedurals/ramp.h"
 
 #include "core/error.h"
+#include "procedurals/reflectance.h"
 
 #include <algorithm>
 
@@ -71,9 +72,9 @@ std::shared_ptr<const Procedural> make_ramp(const Params& params) {
         throw params.error("to", "is the same point as from");
     std::vector<Stop> stops;
     for (const Params& given : params.list("stops")) {
-        const Color color = given.color("color");
+        const Color color = reflectance(given, "color");
         stops.push_back({static_cast<float>(given.number("at")), color,
-                         given.has("other") ? given.color("other") : color});
+                         given.has("other") ? reflectance(given, "other") : color});
         if (stops.size() > 1 && stops.back().at < stops[stops.size() - 2].at)
             throw given.error("at", "lies before that of the stop before");
     }

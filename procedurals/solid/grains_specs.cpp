@@ -159,7 +159,7 @@ ParamSpec minerals_spec(std::string name, std::string doc) {
 std::vector<Mineral> minerals_of(const std::vector<Params>& list, double otherwise_size) {
     std::vector<Mineral> minerals;
     for (const Params& given : list)
-        minerals.push_back({given.color("color"), given.number("share"),
+        minerals.push_back({reflectance(given, "color"), given.number("share"),
                             number_or(given, "size", otherwise_size), given.number("variation"),
                             given.number("facet"), given.number("mottle"), given.number("gloss")});
     return minerals;

@@ -83,7 +83,7 @@ std::vector<ParamSpec> solid_specs(std::vector<ParamSpec> own) {
          .fallback = true},
         {.name = "vary",
          .type = ParamType::boolean,
-         .doc = "Every instance of a generator is cut from another place.",
+         .doc = "Every instance of a generator, and every object, is cut from another place.",
          .fallback = false},
         {.name = "seed",
          .type = ParamType::integer,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/params.h"
+#include "procedurals/reflectance.h"
 #include "procedurals/solid/fractal_lattice.h"
 #include "procedurals/solid/solid_text.h"
 
@@ -38,7 +39,7 @@ inline double number_or(const Params& params, const std::string& name, double ot
     return params.has(name) ? params.number(name) : otherwise;
 }
 inline Color color_or(const Params& params, const std::string& name, const Color& otherwise) {
-    return params.has(name) ? params.color(name) : otherwise;
+    return params.has(name) ? reflectance(params, name) : otherwise;
 }
 
 /// The specs of such parameters: without a value unless given.

@@ -130,7 +130,7 @@ std::shared_ptr<const Procedural> make_wood(const Params& params) {
     wood.sap = {1.25F, 1.4F, 1.6F};
     wood.knot = {0.5F, 0.38F, 0.28F};
     if (params.has("knot"))
-        wood.knot = as_color(factor_to(params.color("knot"), early, late));
+        wood.knot = as_color(factor_to(reflectance(params, "knot"), early, late));
     return std::make_shared<SolidProcedural<Wood, wood_sample>>(
         make_lattice(params), wood, SolidKernel{wood_source, "Wood", "wood_at"});
 }
