@@ -12,7 +12,7 @@ namespace scree {
 struct ShadingPoint {
     Vec3 position;       // in the object's own frame [m]
     float footprint = 0; // width of the pixel's filter square to the line of sight, likewise [m]
-    Vec2f uv;
+    Vec2f uv{0.0F, 0.0F};
     float uv_footprint = 0; // the footprint in UV; 0 where the mesh has none
     float random = 0;       // of the instance, in [0, 1)
     // The filter on the surface: two directions at right angles, each as long as the filter is wide

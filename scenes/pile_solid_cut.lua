@@ -3,10 +3,10 @@ local pile = include("parts/pile.lua")
 
 return scene {
   film = { width = 1280, height = 720, samples = 128, clamp = 4, depth = 12 },
-  camera = camera.perspective { from = { 0.1, 0.14, 0.3 }, at = { 0.0, 0.04, 0 }, fov = 21 },
-  lights = pile.lights(0.12, 0.9),
+  camera = camera.perspective { from = { 0.1, 0.14, 0.3 }, at = { 0.0, 0.042, 0 }, fov = 20 },
+  lights = pile.lights(0.12, 1.15),
   objects = {
-    pile.table_top(0.12, srgb("#2f3b33")),
+    pile.table_top(0.12, srgb("#7d8f7c")),
     generator.pile {
       target = pile.rice_ball(0.085), fill = "solid",
       spacing = 1.5,
