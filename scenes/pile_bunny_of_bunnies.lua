@@ -2,10 +2,7 @@
 local pile = include("parts/pile.lua")
 local bunny_file = arg("bunny", "/usr/share/glmark2/models/bunny.obj")
 
-local glazes = {}
-for i, glaze in ipairs { "#e8c9c4", "#c9dbe4", "#efe3c2", "#cfe0cb", "#dccbe2", "#f2ead9" } do
-  glazes[i] = srgb(glaze)
-end
+local glazes = pile.palette("#e8c9c4", "#c9dbe4", "#efe3c2", "#cfe0cb", "#dccbe2", "#f2ead9")
 
 return scene {
   film = { width = 1280, height = 720, samples = 128, clamp = 4, depth = 10, exposure = -0.1 },

@@ -3,9 +3,7 @@ local pile = include("parts/pile.lua")
 local plants = include("parts/plants.lua")
 
 local function foliage(...)
-  local palette = {}
-  for i, tone in ipairs { ... } do palette[i] = srgb(tone) end
-  return material.plastic { palette = palette, roughness = 0.5 }
+  return material.plastic { palette = pile.palette(...), roughness = 0.5 }
 end
 local reds = foliage("#a5331f", "#b84a22", "#8c2a1e", "#c2622a", "#7a2f22")
 local golds = foliage("#d9a32e", "#c98f26", "#e0b544", "#b87f2c")

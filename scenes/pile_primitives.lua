@@ -2,9 +2,7 @@
 local pile = include("parts/pile.lua")
 
 local function glossy(...)
-  local palette = {}
-  for i, tone in ipairs { ... } do palette[i] = srgb(tone) end
-  return material.plastic { palette = palette, roughness = 0.2 }
+  return material.plastic { palette = pile.palette(...), roughness = 0.2 }
 end
 
 return scene {

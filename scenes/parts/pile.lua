@@ -1,6 +1,13 @@
 -- What the scenes of heaps share: shapes to be covered, a table top and its light.
 local pile = {}
 
+-- Colours of the screen as a material's palette.
+function pile.palette(...)
+  local colors = {}
+  for i, tone in ipairs { ... } do colors[i] = srgb(tone) end
+  return colors
+end
+
 -- A breaking wave `size` long that runs to the left; its foot is flat.
 function pile.wave(size)
   return mesh.extrude {
@@ -26,10 +33,9 @@ end
 -- Steamed rice: light goes a third of a millimetre into a grain before it is scattered, and a film
 -- of starch and water lies on it.
 function pile.steamed_rice()
-  local tones = {}
-  for i, tone in ipairs { "#f3ebd8", "#efe5ce", "#f6f0e0", "#ece1c8", "#f2ebdb" } do tones[i] = srgb(tone) end
   return material.translucent {
-    palette = tones, distance = mm(0.35), spread = { 1, 0.95, 0.85 }, roughness = 0.14, ior = 1.42,
+    palette = pile.palette("#f3ebd8", "#efe5ce", "#f6f0e0", "#ece1c8", "#f2ebdb"),
+    distance = mm(0.35), spread = { 1, 0.95, 0.85 }, roughness = 0.14, ior = 1.42,
   }
 end
 
