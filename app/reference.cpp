@@ -181,11 +181,12 @@ std::string reference_markdown(std::span<const PluginRow> rows) {
     std::string out = "# Reference\n\nMade by `scree list --markdown`.\n";
     std::string family;
     for (const PluginRow& row : rows) {
-        if (row.family != family)
+        if (row.family != family) {
             out += fmt::format("\n## {}\n", row.family);
-        if (row.family != family && row.family == "mesh")
-            out += "\nMeshes are centred on the y axis, and their lowest point is at y = 0; those "
-                   "of `mesh.file` are if they have a `size`.\n";
+            if (row.family == "mesh")
+                out += "\nMeshes are centred on the y axis, and their lowest point is at y = 0; "
+                       "those of `mesh.file` are if they have a `size`.\n";
+        }
         family = row.family;
         out += fmt::format("\n### {}\n\n{}\n", full_name(row), row.doc);
         if (row.params.empty())
