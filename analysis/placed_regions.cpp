@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/placed_regions.h"
 
-#include "core/ground_plane.h"
+#include "geometry/plane/ground_plane.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/plot_sheet.h"
-#include "app/analysis_json.h"
 #include "app/commands.h"
-#include "app/load.h"
+#include "app/scene_options.h"
 #include "core/file.h"
-#include "core/parallel.h"
 #include "formats/read_bake_json.h"
+#include "session/analysis_json.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -30,21 +29,20 @@ std::vector<Aggregate> with_domain(std::vector<Aggregate> aggregates) {
     return aggregates;
 }
 
-Runs bake_seeds(const AnalyseOptions& options, Console& console, const Cancel& cancel) {
+Runs bake_seeds(const AnalyseOptions& options, SceneRun& run) {
     Runs runs;
-    SceneOptions scene = options.scene;
+    SessionOptions scene = options.scene.session();
     for (int i = 0; i < options.seeds; ++i) {
-        Stages stages;
-        runs.push_back(
-            with_domain(bake_scene(load_scene(scene, stages), scene, stages, console, cancel)));
+        Session session(scene, run.console, run.cancel);
+        runs.push_back(with_domain(session.bake(session.load()).aggregates));
         if (runs[0].empty())
             break;
-        scene.sets.push_back(fmt::format("seed={}", runs[0][0].seed + std::uint64_t(i) + 1));
+        scene.overrides["seed"] = fmt::format("{}", runs[0][0].seed + std::uint64_t(i) + 1);
     }
     return runs;
 }
 
-Runs runs_of(const AnalyseOptions& options, Console& console, const Cancel& cancel) {
+Runs runs_of(const AnalyseOptions& options, SceneRun& run) {
     if (extension(options.scene.path) == "json") {
         const std::string text = read_file(options.scene.path);
         if (is_bake_json(text)) {
@@ -54,7 +52,7 @@ Runs runs_of(const AnalyseOptions& options, Console& console, const Cancel& canc
             return {with_domain(read_bake_json(text, options.scene.path))};
         }
     }
-    return bake_seeds(options, console, cancel);
+    return bake_seeds(options, run);
 }
 
 // "report.png" for the first, then "report-2.png".
@@ -68,11 +66,8 @@ int run_analyse(const AnalyseOptions& options) {
         throw Error::usage(options.output + ": expected a name that ends in .json");
     check_writable(options.output);
     check_writable(sheet_name(options.output, 0));
-    const ThreadLimit threads(options.scene.threads);
-    Console console(options.scene.quiet);
-    Cancel cancel;
-    const InterruptGuard guard(cancel);
-    const Runs runs = runs_of(options, console, cancel);
+    SceneRun run(options.scene);
+    const Runs runs = runs_of(options, run);
     if (runs[0].empty())
         throw Error(Diagnostic{{options.scene.path, 0},
                                "",
@@ -83,19 +78,19 @@ int run_analyse(const AnalyseOptions& options) {
     for (std::size_t g = 0; g < runs[0].size(); ++g) {
         std::vector<PlacedRegions> layouts;
         std::vector<std::uint64_t> seeds;
-        for (const std::vector<Aggregate>& run : runs) {
-            layouts.push_back(placed_regions(run[g]));
-            seeds.push_back(run[g].seed);
+        for (const std::vector<Aggregate>& baked : runs) {
+            layouts.push_back(placed_regions(baked[g]));
+            seeds.push_back(baked[g].seed);
         }
-        cancel.check();
+        run.cancel.check();
         reports.push_back({runs[0][g].generator, analyse(layouts, seeds)});
         const std::string sheet = sheet_name(options.output, g);
         write_png(sheet, plot_sheet(reports.back().report, layouts[0],
                                     file_name(options.scene.path) + ": " + runs[0][g].generator));
-        console.say("wrote " + sheet);
+        run.console.say("wrote " + sheet);
     }
     write_file(options.output, analysis_json(reports, file_name(options.scene.path)));
-    console.say("wrote " + options.output);
+    run.console.say("wrote " + options.output);
     return 0;
 }
 

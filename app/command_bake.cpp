@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
-#include "app/layout_colors.h"
-#include "app/load.h"
-#include "app/run_stats.h"
-#include "app/solid_options.h"
-#include "core/display_encoding.h"
+#include "app/scene_options.h"
 #include "core/file.h"
-#include "core/image.h"
-#include "core/parallel.h"
-#include "core/version.h"
-#include "formats/bake_json.h"
-#include "formats/layout_picture.h"
-#include "formats/write_3mf.h"
-#include "formats/write_stl.h"
+#include "formats/table.h"
+#include "session/export_scene.h"
+#include "session/run_stats.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <functional>
 #include <memory>
 
 namespace scree {
@@ -29,109 +20,76 @@ struct BakeOptions {
     std::string output;
     std::string stats;
     int size = 1600;
-    SolidOptions solid;
+    double resolution = 0; // [m]
+    double bridge = 0;     // [m]
+    std::string parts = "largest";
+    std::string voids = "fill";
+    std::string open = "error";
+
+    void add_solid_options(CLI::App& command);
+    SolidOptions solid() const;
 };
 
-/// One run of the command.
-struct BakeJob {
-    const BakeOptions& options;
-    const Scene& scene;
-    std::vector<Aggregate> aggregates; // of generators
-    std::vector<Location> places;      // where they were written
-    Console& console;
-    const Cancel& cancel;
-    Stages& stages;
-    std::optional<Fabrication> solid{}; // once made
-};
-
-using WriteBake = std::function<void(BakeJob& job)>;
-
-void bake_to_json(BakeJob& job) {
-    write_file(job.options.output,
-               bake_json(job.aggregates, {job.scene.name, job.aggregates.front().seed}));
+void BakeOptions::add_solid_options(CLI::App& command) {
+    const CLI::AsNumberWithUnit metres(
+        std::map<std::string, double>{{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"um", 1e-6}});
+    const std::string group = "For .stl and .3mf";
+    command
+        .add_option("--resolution", resolution,
+                    "Side of the lattice's cells, in metres or as in 0.2mm; a tenth of the "
+                    "thinnest component by default")
+        ->transform(metres)
+        ->type_name("LENGTH")
+        ->group(group);
+    command
+        .add_option("--bridge", bridge,
+                    "Close gaps narrower than twice this, in metres or as in 0.5mm")
+        ->transform(metres)
+        ->type_name("LENGTH")
+        ->group(group);
+    command
+        .add_option("--parts", parts,
+                    "Of parts that are not connected: keep the largest, or keep all")
+        ->check(CLI::IsMember({"largest", "keep"}))
+        ->group(group);
+    command.add_option("--voids", voids, "Enclosed voids: fill or keep them")
+        ->check(CLI::IsMember({"fill", "keep"}))
+        ->group(group);
+    command
+        .add_option("--open", open,
+                    "Components that are not closed: stop with an error, or skip them")
+        ->check(CLI::IsMember({"error", "skip"}))
+        ->group(group);
 }
 
-void bake_to_svg(BakeJob& job) {
-    write_file(job.options.output, layout_svg(job.aggregates, layout_colors(job.scene)));
+void check_length(const std::string& option, double length) {
+    if (!(length >= 0) || length > 1e6)
+        throw Error::usage(fmt::format("{} {}: expected 0 to 1e6 metres", option, length));
 }
 
-void bake_to_png(BakeJob& job) {
-    write_png(job.options.output, display_image(layout_image(
-                                      job.aggregates, layout_colors(job.scene), job.options.size)));
-}
-
-void bake_to_exr(BakeJob& job) {
-    const ImagePart part{"layout",
-                         layout_image(job.aggregates, layout_colors(job.scene), job.options.size)};
-    const Box2 box = picture_box(job.aggregates);
-    write_exr(
-        job.options.output, {&part, 1},
-        {{"scree:version", SCREE_VERSION},
-         {"scree:scene", job.scene.name},
-         {"scree:hash", fmt::format("{:016x}", job.scene.hash)},
-         {"scree:settings", job.scene.settings}},
-        {{"worldSize", {static_cast<float>(box.size().x), static_cast<float>(box.size().y)}}});
-}
-
-void bake_to_stl(BakeJob& job) { write_stl(job.options.output, job.solid->mesh); }
-
-void bake_to_3mf(BakeJob& job) { write_3mf(job.options.output, job.solid->mesh, job.scene.name); }
-
-struct BakeFormat {
-    std::string ending;
-    WriteBake write;
-    bool solid = false; // holds the union of all components
-};
-
-const BakeFormat& format_for(const std::string& output) {
-    static const std::vector<BakeFormat> formats{
-        {"json", bake_to_json}, {"svg", bake_to_svg},       {"png", bake_to_png},
-        {"exr", bake_to_exr},   {"stl", bake_to_stl, true}, {"3mf", bake_to_3mf, true}};
-    const std::string ending = extension(output);
-    std::vector<std::string> known;
-    for (const BakeFormat& format : formats) {
-        if (format.ending == ending)
-            return format;
-        known.push_back("." + format.ending);
-    }
-    throw Error::usage(fmt::format("{}: cannot bake to .{}; expected one of {}", output, ending,
-                                   fmt::join(known, ", ")));
+SolidOptions BakeOptions::solid() const {
+    check_length("--resolution", resolution);
+    check_length("--bridge", bridge);
+    SolidOptions out;
+    out.fabrication.resolution = resolution;
+    out.fabrication.bridge = bridge;
+    out.fabrication.keep_parts = parts == "keep";
+    out.fabrication.keep_voids = voids == "keep";
+    out.skip_open = open == "skip";
+    return out;
 }
 
 int bake(const BakeOptions& options) {
-    const BakeFormat& format = format_for(options.output);
+    const SceneFormat format = scene_format(scene_formats(), options.output);
+    const SolidOptions solid = options.solid();
     check_writable(options.output);
-
-    const ThreadLimit threads(options.scene.threads);
-    Console console(options.scene.quiet);
-    Cancel cancel;
-    const InterruptGuard guard(cancel);
-    Stages stages;
-    const Scene scene = load_scene(options.scene, stages);
-    std::vector<Aggregate> aggregates = bake_scene(scene, options.scene, stages, console, cancel);
-    BakeJob job{options, scene, {}, {}, console, cancel, stages};
-    for (std::size_t i = 0; i < aggregates.size(); ++i)
-        if (aggregates[i].generator != "object") {
-            job.aggregates.push_back(std::move(aggregates[i]));
-            job.places.push_back(scene.items[i].where);
-        }
-    if (job.aggregates.empty())
-        throw Error(Diagnostic{{options.scene.path, 0},
-                               "scene.objects",
-                               "there is no generator to bake; expected a generator.*",
-                               ""});
-
-    if (format.solid) {
-        stages.begin("solid");
-        job.solid = make_solid(job.aggregates, job.places, options.solid, console, cancel);
-    }
-    stages.begin("write");
-    format.write(job);
-    stages.end();
-    console.say("wrote " + options.output);
+    SceneRun run(options.scene);
+    const Exported exported = export_scene(run.session, run.session.bake(run.session.load()),
+                                           format, options.output, options.size, solid);
     if (!options.stats.empty())
-        write_file(options.stats, run_stats_json(stages, job.aggregates, nullptr, {},
-                                                 job.solid ? &*job.solid : nullptr));
+        write_file(options.stats,
+                   run_stats_json(run.session.stages(), exported.scene.aggregates, nullptr, {},
+                                  exported.solid ? &*exported.solid : nullptr));
     return 0;
 }
 
@@ -150,7 +108,7 @@ void add_bake_command(CLI::App& app, Run& run) {
         ->check(CLI::Range(16, 32768))
         ->type_name("PIXELS");
     command->add_option("--stats", options->stats, "Write counts, times and memory as JSON");
-    options->solid.add_to(*command);
+    options->add_solid_options(*command);
     command->footer("Example:\n  scree bake scenes/toys.lua -o toys.json --set seed=9\n"
                     "  scree bake heap.lua -o heap.3mf --resolution 0.2mm --bridge 0.3mm\n"
                     "For .stl and .3mf, which are in millimetres with z up, all components are "

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
-#include "app/load.h"
+#include "app/scene_options.h"
+#include "scenes/reader/scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace scree {
@@ -17,21 +19,20 @@ struct CheckOptions {
 };
 
 int check(const CheckOptions& options) {
-    const DescriptionNode description =
-        read_description(options.scene.path, options.scene.overrides());
-    const Scene scene = resolve(description, options.scene.path);
+    SceneRun run(options.scene);
+    const DescriptionNode description = run.session.description();
+    const SceneDraft draft = resolve(description, options.scene.path, run.session.catalog());
     if (options.json) {
         fmt::print("{}\n", to_json(*description));
         return 0;
     }
-    std::size_t generators = 0;
-    for (const SceneItem& item : scene.items)
-        generators += item.kind == "object" ? 0 : 1;
+    const auto generators = std::count_if(draft.items.begin(), draft.items.end(),
+                                          [](const auto& item) { return item->kind != "object"; });
+    const Scene& scene = draft.scene;
     if (!options.scene.quiet)
-        fmt::print(
-            "{}: no mistakes: {} generators, {} objects, {} materials, {} lights, {} x {} pixels\n",
-            scene.name, generators, scene.items.size() - generators, scene.materials.size() - 1,
-            scene.lights.size(), scene.film.width, scene.film.height);
+        fmt::print("{}: no mistakes: {} generators, {} objects, {} lights, {} x {} pixels\n",
+                   scene.name, generators, draft.items.size() - std::size_t(generators),
+                   scene.lights.size(), scene.film.width, scene.film.height);
     return 0;
 }
 

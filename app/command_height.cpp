@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
-#include "app/load.h"
-#include "app/run_stats.h"
+#include "app/scene_options.h"
 #include "core/file.h"
-#include "core/parallel.h"
-#include "core/version.h"
+#include "session/run_stats.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -61,38 +59,29 @@ int write_map(const HeightOptions& options) {
     if (!options.stats.empty())
         check_writable(options.stats);
 
-    const ThreadLimit threads(options.scene.threads);
-    Console console(options.scene.quiet);
-    Cancel cancel;
-    const InterruptGuard guard(cancel);
-    Stages stages;
-    const Scene scene = load_scene(options.scene, stages);
-    const std::vector<Aggregate> aggregates =
-        bake_scene(scene, options.scene, stages, console, cancel);
-    const Aggregate& aggregate = chosen(aggregates, options);
+    SceneRun run(options.scene);
+    const Scene scene = run.session.bake(run.session.load());
+    const Aggregate& aggregate = chosen(scene.aggregates, options);
 
-    stages.begin("write");
+    run.session.stages().begin("write");
     const HeightField heights = aggregate.height->as_height();
     const HeightField map = options.vector ? aggregate.height->as_vector() : heights;
-    write_height(options.output, map,
-                 {{"scree:version", SCREE_VERSION},
-                  {"scree:scene", scene.name},
-                  {"scree:hash", fmt::format("{:016x}", scene.hash)},
-                  {"scree:generator", aggregate.generator},
-                  {"scree:seed", std::to_string(aggregate.seed)},
-                  {"scree:settings", scene.settings}});
+    Metadata metadata = provenance(scene);
+    metadata.insert(metadata.end(), {{"scree:generator", aggregate.generator},
+                                     {"scree:seed", std::to_string(aggregate.seed)}});
+    write_height(options.output, map, metadata);
     const std::string png = options.output.substr(0, options.output.size() - 3) + "png";
     const std::vector<float>& values = heights.image.pixels;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     write_png(png, picture_of(heights.image, *low, *high));
-    stages.end();
-    console.say(fmt::format("wrote {} and {}: {} x {} pixels over {:.4g} x {:.4g} mm, heights from "
-                            "{:.3g} mm (black) to {:.3g} mm (white)",
-                            options.output, png, map.image.width, map.image.height,
-                            map.size.x * 1e3, map.size.y * 1e3, double(*low) * 1e3,
-                            double(*high) * 1e3));
+    run.session.stages().end();
+    run.console.say(
+        fmt::format("wrote {} and {}: {} x {} pixels over {:.4g} x {:.4g} mm, heights from "
+                    "{:.3g} mm (black) to {:.3g} mm (white)",
+                    options.output, png, map.image.width, map.image.height, map.size.x * 1e3,
+                    map.size.y * 1e3, double(*low) * 1e3, double(*high) * 1e3));
     if (!options.stats.empty())
-        write_file(options.stats, run_stats_json(stages, aggregates, nullptr));
+        write_file(options.stats, run_stats_json(run.session.stages(), scene.aggregates, nullptr));
     return 0;
 }
 

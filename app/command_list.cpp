@@ -18,7 +18,7 @@ struct ListOptions {
 };
 
 int list(const ListOptions& options) {
-    const std::vector<PluginRow> rows = all_plugins();
+    const std::vector<CatalogRow> rows = catalog_rows(standard_catalog());
     if (options.markdown) {
         fmt::print("{}", reference_markdown(rows));
         return 0;
@@ -29,7 +29,7 @@ int list(const ListOptions& options) {
     }
     std::vector<std::string> names;
     bool found = false;
-    for (const PluginRow& row : rows) {
+    for (const CatalogRow& row : rows) {
         const std::string full = full_name(row);
         names.push_back(full);
         if (full != options.name && row.family != options.name && row.name != options.name)

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
-#include "app/load.h"
-#include "app/picture_materials.h"
-#include "app/run_stats.h"
+#include "app/scene_options.h"
 #include "core/file.h"
-#include "core/parallel.h"
-#include "core/version.h"
-#include "render/color.h"
-#include "render/render.h"
+#include "render/film/color.h"
+#include "session/render_scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -82,31 +78,28 @@ std::string output_of(const RenderCommand& command) {
 
 std::string png_beside(const std::string& exr) { return exr.substr(0, exr.size() - 3) + "png"; }
 
-// What made the picture; no times, so that the same scene gives the same bytes.
-Metadata metadata_of(const Scene& scene, const std::vector<Aggregate>& aggregates,
-                     const RenderCommand& command, const RenderStats& stats) {
+// What made the picture.
+Metadata metadata_of(const Scene& scene, const RenderCommand& command) {
     std::string seeds;
-    for (const Aggregate& aggregate : aggregates)
+    for (const Aggregate& aggregate : scene.aggregates)
         if (aggregate.generator != "object")
             seeds += (seeds.empty() ? "" : ",") + std::to_string(aggregate.seed);
-    return {{"scree:version", SCREE_VERSION},
-            {"scree:scene", scene.name},
-            {"scree:hash", fmt::format("{:016x}", scene.hash)},
-            {"scree:seed", seeds},
-            {"scree:render_seed", std::to_string(command.seed)},
-            {"scree:samples", fmt::format("{:g}", stats.samples_per_pixel)},
-            {"scree:settings", scene.settings}};
+    Metadata metadata = provenance(scene);
+    metadata.insert(metadata.end(),
+                    {{"scree:seed", seeds}, {"scree:render_seed", std::to_string(command.seed)}});
+    return metadata;
 }
 
-void write_pictures(const std::string& output, const RenderResult& result, const Scene& scene,
-                    const Metadata& metadata, const RenderCommand& command) {
+void write_pictures(const std::string& output, const RenderResult& result, Metadata metadata,
+                    const FilmSettings& film, const RenderCommand& command) {
+    metadata.emplace_back("scree:samples", fmt::format("{:g}", result.stats.samples_per_pixel));
     std::vector<ImagePart> parts = result.film.parts();
     std::erase_if(parts, [&](const ImagePart& part) {
         return part.name != "beauty" &&
                std::find(command.aovs.begin(), command.aovs.end(), part.name) == command.aovs.end();
     });
     write_exr(output, parts, metadata);
-    Image shown = to_display(parts.front().image, command.view, scene.film.exposure);
+    Image shown = to_display(parts.front().image, command.view, film.exposure);
     write_png(png_beside(output), shown);
 }
 
@@ -121,7 +114,7 @@ RenderOptions options_of(const RenderCommand& command, const Scene& scene) {
     return options;
 }
 
-int render_scene(const RenderCommand& command) {
+int run_render(const RenderCommand& command) {
     // All that can be refused is refused before the work.
     const std::string output = output_of(command);
     check_aovs(command.aovs);
@@ -130,49 +123,33 @@ int render_scene(const RenderCommand& command) {
         check_writable(command.stats);
     to_display(Image(1, 1, {"R", "G", "B"}), command.view); // an unknown view, an unreadable $OCIO
 
-    const ThreadLimit threads(command.scene.threads);
-    Console console(command.scene.quiet);
-    Cancel cancel;
-    const InterruptGuard guard(cancel);
-    Stages stages;
-    Scene scene = load_scene(command.scene, stages);
-    if (!scene.camera)
+    SceneRun run(command.scene);
+    Session& session = run.session;
+    SceneDraft draft = session.load();
+    if (!draft.scene.camera)
         throw Error(Diagnostic{
             {command.scene.path, 0}, "scene.camera", "is missing; expected a camera.*", ""});
     if (!command.size.empty())
-        parse_size(command.size, scene.film);
-    const RenderOptions options = options_of(command, scene);
-    std::vector<Aggregate> aggregates = bake_scene(scene, command.scene, stages, console, cancel);
-    show_pictures(aggregates, scene);
+        parse_size(command.size, draft.scene.film);
+    const RenderOptions options = options_of(command, draft.scene);
+    const Scene scene = session.bake(std::move(draft));
+    const Rendered rendered = render_scene(session, scene, options);
+    session.stages().begin("write");
+    write_pictures(output, rendered.result, metadata_of(scene, command), scene.film, command);
+    session.stages().end();
 
-    stages.begin("build");
-    Context context;
-    context.cancel = &cancel;
-    const World world(aggregates, scene.lights, context);
-    stages.begin("render");
-    context.progress = [&](std::string_view what, double fraction) {
-        console.progress("render", fraction, " " + std::string(what));
-    };
-    const RenderResult result =
-        render(world, {scene.materials, scene.lights, *scene.camera, scene.film}, options, context);
-    stages.begin("write");
-    write_pictures(output, result, scene, metadata_of(scene, aggregates, command, result.stats),
-                   command);
-    stages.end();
-
-    const RenderStats& stats = result.stats;
-    console.say(fmt::format("render: {:g} samples per pixel, {:.2f} Mray/s, {}",
-                            stats.samples_per_pixel, stats.mrays_per_s(),
-                            format_duration(stats.seconds)));
+    const RenderStats& stats = rendered.result.stats;
+    run.console.say(fmt::format("render: {:g} samples per pixel, {:.2f} Mray/s, {}",
+                                stats.samples_per_pixel, stats.mrays_per_s(),
+                                format_duration(stats.seconds)));
     if (stats.invalid_samples > 0)
-        console.say(fmt::format("{} invalid samples were dropped", stats.invalid_samples));
-    console.say("wrote " + output + " and " + png_beside(output));
-    if (!command.stats.empty()) {
-        const RenderFigures figures{&stats, world.instance_count(), world.memory_bytes()};
-        write_file(command.stats, run_stats_json(stages, aggregates, &figures));
-    }
-    if (result.cancelled)
-        console.say("interrupted: the picture holds what was done");
+        run.console.say(fmt::format("{} invalid samples were dropped", stats.invalid_samples));
+    run.console.say("wrote " + output + " and " + png_beside(output));
+    if (!command.stats.empty())
+        write_file(command.stats,
+                   run_stats_json(session.stages(), scene.aggregates, &rendered.figures));
+    if (rendered.result.cancelled)
+        run.console.say("interrupted: the picture holds what was done");
     return 0;
 }
 
@@ -207,7 +184,7 @@ void add_render_command(CLI::App& app, Run& run) {
     command->add_option("--stats", options->stats, "Write times, memory and counts as JSON");
     command->footer("Ctrl-C keeps what is done.\n"
                     "Example:\n  scree render scenes/toys.lua -o toys.exr --spp 64 --aov albedo,N");
-    command->callback([options, &run] { run = [options] { return render_scene(*options); }; });
+    command->callback([options, &run] { run = [options] { return run_render(*options); }; });
 }
 
 } // namespace scree

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
-#include "app/run_stats.h"
 #include "app/texture_options.h"
-#include "app/texture_subject.h"
 #include "core/device.h"
 #include "core/display_encoding.h"
 #include "core/file.h"
-#include "core/height_field.h"
-#include "core/parallel.h"
-#include "core/uv_frame.h"
-#include "core/version.h"
 #include "formats/surface_texture.h"
 #include "formats/texture_slices.h"
 #include "formats/texture_volume.h"
+#include "geometry/mesh/uv_frame.h"
+#include "geometry/plane/height_field.h"
+#include "session/run_stats.h"
+#include "session/texture_subject.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -224,57 +222,49 @@ void check_fills_space(const TextureSubject& subject, TextureMap map) {
                                      "use --map uv");
 }
 
+/// In place of what need not be made.
+std::shared_ptr<const SceneItem> nothing() {
+    return std::make_shared<const SceneItem>(
+        SceneItem{"object", [](const Context&, std::uint64_t) { return Aggregate{}; }});
+}
+
 int bake_texture(const TextureOptions& options) {
     const TextureRequest request = options.request();
     check_writable(options.output);
     if (!options.stats.empty())
         check_writable(options.stats);
 
-    const ThreadLimit threads(options.scene.threads);
-    Console console(options.scene.quiet);
-    Cancel cancel;
-    const InterruptGuard guard(cancel);
-    Stages stages;
-    Scene scene = load_scene(options.scene, stages);
-    const auto count = static_cast<int>(scene.items.size());
+    SceneRun run(options.scene);
+    Session& session = run.session;
+    SceneDraft draft = session.load();
+    const auto count = static_cast<int>(draft.items.size());
     if (options.object > count)
         throw Error::usage(fmt::format("--object {}: {} has {} object{}", options.object,
                                        options.scene.path, count, count == 1 ? "" : "s"));
-    // Others need not be made.
     if (options.object > 0)
         for (int i = 0; i < count; ++i)
             if (i != options.object - 1)
-                scene.items[std::size_t(i)] = {"object",
-                                               [](const Context&) { return Aggregate{}; }};
-    const std::vector<Aggregate> aggregates =
-        bake_scene(scene, options.scene, stages, console, cancel);
-    TextureSubject subject = texture_subject(options.scene.path, scene, aggregates, options.object);
+                draft.items[std::size_t(i)] = nothing();
+    const Scene scene = session.bake(std::move(draft));
+    TextureSubject subject = texture_subject(options.scene.path, scene, options.object);
     check_fills_space(subject, request.map);
-    std::optional<Device> device;
-    if (!options.scene.device.empty() && options.scene.device != "none")
-        subject.source.device = &device.emplace(options.scene.device);
-
-    Context context;
-    context.cancel = &cancel;
-    context.progress = [&](std::string_view what, double fraction) {
-        console.progress(std::string(what), fraction);
-    };
-    const Metadata metadata{{"scree:version", SCREE_VERSION},
-                            {"scree:scene", scene.name},
-                            {"scree:hash", fmt::format("{:016x}", scene.hash)},
-                            {"scree:mesh", subject.source.mesh->name},
-                            {"scree:settings", scene.settings}};
-    TextureJob job{options, request, subject, metadata, context, console, stages};
+    if (!options.scene.device.empty()) // the host is faster than PoCL, unless asked for
+        subject.source.device = session.device();
+    const Context context = session.context("texture");
+    Metadata metadata = provenance(scene);
+    metadata.emplace_back("scree:mesh", subject.source.mesh->name);
+    TextureJob job{options, request, subject, metadata, context, run.console, session.stages()};
     if (request.map == TextureMap::uv)
         bake_uv(job);
     else if (request.map == TextureMap::slices)
         bake_slices(job);
     else
         bake_volume(job);
-    stages.end();
-    console.say("wrote " + options.output);
+    session.stages().end();
+    run.console.say("wrote " + options.output);
     if (!options.stats.empty())
-        write_file(options.stats, run_stats_json(stages, aggregates, nullptr, job.facts));
+        write_file(options.stats,
+                   run_stats_json(session.stages(), scene.aggregates, nullptr, job.facts));
     return 0;
 }
 

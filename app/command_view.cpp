@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
-#include "render/color.h"
+#include "render/film/color.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/progress.h"
+#include "session/watcher.h"
 
 #include <chrono>
 #include <string>
@@ -9,18 +10,15 @@
 namespace scree {
 
 /// What a user watches on stderr: a bar on a terminal, plain lines otherwise, nothing when quiet.
-class Console {
+class Console final : public Watcher {
   public:
     explicit Console(bool quiet);
-    ~Console();
+    ~Console() override;
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
-    /// A line that stays.
-    void say(const std::string& line);
-
-    /// Shows how far `what` is; `detail` stands after the bar. Cheap to call often.
-    void progress(const std::string& what, double fraction, const std::string& detail = {});
+    void say(const std::string& line) override;
+    void progress(const std::string& what, double fraction, const std::string& detail) override;
 
     /// Takes the bar away.
     void clear();

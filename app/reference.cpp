@@ -35,64 +35,53 @@ std::string type_text(const ParamSpec& spec) {
         return "{low, high} or a number";
     case ParamType::points:
         return "list of {x, z}";
-    case ParamType::mesh:
-        return "mesh.*";
-    case ParamType::region:
-        return "region.*";
-    case ParamType::field:
-        return "field.* or a number";
     case ParamType::function:
         return "function(x, z)";
-    case ParamType::shape:
-        return "mesh.* or region.*";
-    case ParamType::material:
-        return "material.*";
+    case ParamType::object:
+        return kinds_in_words(spec.families, " or ");
+    case ParamType::field:
+        return "field.* or a number";
     case ParamType::record:
         return "table";
     case ParamType::list:
-        return "list of tables";
-    default:
-        return "value";
+        return is_object_list(spec) ? "list of " + type_text(spec.fields.front()) : "list of tables";
     }
+    return "value";
 }
 
-// Defaults are kept in the program's units; scripts have degrees.
-std::string value_text(const Value& value, double unit) {
+std::string value_text(const Value& value) {
     struct Text {
-        double unit;
         std::string operator()(std::monostate) const { return ""; }
         std::string operator()(bool b) const { return b ? "true" : "false"; }
         std::string operator()(std::int64_t i) const { return std::to_string(i); }
-        std::string operator()(double d) const { return fmt::format("{:.6g}", d / unit); }
+        std::string operator()(double d) const { return fmt::format("{:.6g}", d); }
         std::string operator()(const std::string& s) const { return '"' + s + '"'; }
         std::string operator()(const Vec2& v) const {
             return fmt::format("{{{:g}, {:g}}}", v.x, v.y);
         }
         std::string operator()(const Vec3& v) const {
-            return fmt::format("{{{:g}, {:g}, {:g}}}", v.x / unit, v.y / unit, v.z / unit);
+            return fmt::format("{{{:g}, {:g}, {:g}}}", v.x, v.y, v.z);
         }
         std::string operator()(const Color& c) const {
             return (*this)(static_cast<const Vec3&>(c));
         }
-        std::string operator()(const Texture& t) const { return (*this)(t.constant); }
         std::string operator()(const Range& r) const {
-            return fmt::format("{{{:g}, {:g}}}", r.low / unit, r.high / unit);
+            return fmt::format("{{{:g}, {:g}}}", r.low, r.high);
         }
         std::string operator()(const std::vector<Vec2>&) const { return ""; }
-        std::string operator()(const std::shared_ptr<const Mesh>&) const { return ""; }
-        std::string operator()(const std::shared_ptr<const Region>&) const { return ""; }
-        std::string operator()(const std::shared_ptr<const Field>&) const { return ""; }
-        std::string operator()(MaterialId) const { return "grey"; }
+        std::string operator()(const SharedObject&) const { return ""; }
         std::string operator()(const std::shared_ptr<const std::vector<Params>>&) const {
             return "";
         }
     };
-    return std::visit(Text{unit}, value);
+    return std::visit(Text{}, value);
 }
 
 std::string default_text(const ParamSpec& spec) {
     if (!std::holds_alternative<std::monostate>(spec.fallback))
-        return value_text(spec.fallback, spec.unit == "deg" ? radians(1) : 1);
+        return value_text(spec.fallback);
+    if (spec.type == ParamType::record && !spec.optional)
+        return "its own defaults";
     return spec.optional ? "none" : "required";
 }
 
@@ -116,12 +105,14 @@ void flatten(const std::vector<ParamSpec>& specs, const std::string& prefix,
              std::vector<Line>& out) {
     for (const ParamSpec& spec : specs) {
         out.push_back({prefix + spec.name, &spec});
+        if (is_object_list(spec))
+            continue;
         flatten(spec.fields, prefix + spec.name + (spec.type == ParamType::list ? "[]." : "."),
                 out);
     }
 }
 
-std::vector<Line> lines_of(const PluginRow& row) {
+std::vector<Line> lines_of(const CatalogRow& row) {
     std::vector<Line> lines;
     flatten(row.params, "", lines);
     return lines;
@@ -139,17 +130,17 @@ std::string cell(std::string text) {
 
 } // namespace
 
-std::string full_name(const PluginRow& row) {
+std::string full_name(const CatalogRow& row) {
     return row.family == row.name || row.family.empty() ? row.name : row.family + "." + row.name;
 }
 
-std::string plugin_overview(std::span<const PluginRow> rows) {
+std::string plugin_overview(std::span<const CatalogRow> rows) {
     std::size_t width = 0;
-    for (const PluginRow& row : rows)
+    for (const CatalogRow& row : rows)
         width = std::max(width, full_name(row).size());
     std::string out;
     std::string family;
-    for (const PluginRow& row : rows) {
+    for (const CatalogRow& row : rows) {
         if (row.family != family && !out.empty())
             out += '\n';
         family = row.family;
@@ -158,7 +149,7 @@ std::string plugin_overview(std::span<const PluginRow> rows) {
     return out + "\n`scree list NAME` shows the parameters of one.\n";
 }
 
-std::string plugin_details(const PluginRow& row) {
+std::string plugin_details(const CatalogRow& row) {
     const std::vector<Line> lines = lines_of(row);
     std::size_t width = 0;
     for (const Line& line : lines)
@@ -177,10 +168,10 @@ std::string plugin_details(const PluginRow& row) {
     return out;
 }
 
-std::string reference_markdown(std::span<const PluginRow> rows) {
+std::string reference_markdown(std::span<const CatalogRow> rows) {
     std::string out = "# Reference\n\nMade by `scree list --markdown`.\n";
     std::string family;
-    for (const PluginRow& row : rows) {
+    for (const CatalogRow& row : rows) {
         if (row.family != family) {
             out += fmt::format("\n## {}\n", row.family);
             if (row.family == "mesh")

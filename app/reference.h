@@ -2,7 +2,7 @@
 // The parameters' one declaration as text for people.
 #pragma once
 
-#include "scenes/reader/plugins.h"
+#include "session/catalog.h"
 
 #include <span>
 #include <string>
@@ -10,15 +10,15 @@
 namespace scree {
 
 /// "mesh.banana"; a family of one, such as scene, is its own name.
-std::string full_name(const PluginRow& row);
+std::string full_name(const CatalogRow& row);
 
 /// Every plug-in with its one sentence, a line each, by family.
-std::string plugin_overview(std::span<const PluginRow> rows);
+std::string plugin_overview(std::span<const CatalogRow> rows);
 
 /// One plug-in with all its parameters.
-std::string plugin_details(const PluginRow& row);
+std::string plugin_details(const CatalogRow& row);
 
 /// docs/reference.md.
-std::string reference_markdown(std::span<const PluginRow> rows);
+std::string reference_markdown(std::span<const CatalogRow> rows);
 
 } // namespace scree

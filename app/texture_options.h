@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/load.h"
+#include "app/scene_options.h"
 #include "formats/texture_source.h"
 
 namespace scree {

@@ -9,9 +9,9 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "scenes/reader/description.h"
-#include "scenes/reader/scene.h"
-#include "tests/disk_problems.h"
+#include "session/session.h"
 #include "tests/exact/disk_set.h"
+#include "tests/support/disk_problems.h"
 
 #include <fmt/format.h>
 
@@ -151,12 +151,12 @@ void print_table() {
     const std::string path = std::string(SCREE_SOURCE_DIR) + "/scenes/elements_matsuba.lua";
     for (const auto& [direction, paper] : {std::pair("random", "332 of 24,482 trials in 38.1 ms"),
                                            std::pair("whirl", "297 of 24,482 trials in 59.8 ms")}) {
-        const Scene scene = resolve(read_description(path, {{"direction", direction}}), path);
-        for (const SceneItem& item : scene.items) {
-            if (item.kind == "object")
+        Session session({.path = path, .overrides = {{"direction", direction}}, .device = "none"});
+        for (const auto& item : session.load().items) {
+            if (item->kind == "object")
                 continue;
             fmt::print("table 1, {:6} paper: {}, shares 0.3 0.3 0.4; ours:", direction, paper);
-            for (const auto& [name, value] : item.bake({}).facts)
+            for (const auto& [name, value] : item->bake({}, 0).facts)
                 fmt::print(" {} {:.4g}", name, value);
             fmt::print("\n");
         }

@@ -8,9 +8,9 @@
 #include "core/parallel.h"
 #include "generators/layout/gap_field.h"
 #include "generators/layout/method.h"
-#include "generators/layout/overlap.h"
-#include "generators/sampling/region_shapes.h"
-#include "generators/sampling/region_tools.h"
+#include "geometry/figures/overlap.h"
+#include "geometry/plane/region_shapes.h"
+#include "geometry/plane/region_tools.h"
 
 #include <fmt/format.h>
 

@@ -5,9 +5,9 @@
 // CPU seconds of the whole process, and wall seconds on all cores.
 #include "bench/bullet_heap.h"
 #include "bench/measure.h"
-#include "generators/table.h"
-#include "scenes/reader/scene.h"
-#include "tests/plugin_params.h"
+#include "session/session.h"
+#include "shapes/table.h"
+#include "tests/support/plugin_params.h"
 
 #include <fmt/format.h>
 
@@ -30,11 +30,12 @@ struct Run {
 
 Run bake(const std::string& name, const Overrides& overrides) {
     const std::string path = std::string(SCREE_SOURCE_DIR) + "/bench/scenes/" + name;
-    const Scene scene = resolve(read_description(path, overrides), path);
+    Session session({.path = path, .overrides = overrides, .device = "none"});
+    const SceneDraft draft = session.load();
     Run run;
     const auto start = std::chrono::steady_clock::now();
     run.cpu = cpu_seconds_of([&] {
-        for (const auto& [fact, value] : scene.items.front().bake({}).facts)
+        for (const auto& [fact, value] : draft.items.front()->bake({}, 0).facts)
             run.facts[fact] = value;
     });
     run.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -31,7 +31,9 @@ Mesh read_component(const std::string& path) {
 Aggregate scatter(std::shared_ptr<const Mesh> mesh) {
     Aggregate aggregate;
     aggregate.generator = "bench";
-    aggregate.prototypes.push_back({"mesh", std::move(mesh), nullptr, {0}});
+    aggregate.prototypes.push_back(
+        {"mesh", std::move(mesh), nullptr,
+         std::make_shared<const Material>(Matte{{{Color(0.7F, 0.7F, 0.7F), nullptr}, {}}})});
     Random random(1, Purpose::test);
     for (int i = 0; i < instance_count; ++i) {
         Matrix turn;
@@ -47,14 +49,14 @@ Aggregate scatter(std::shared_ptr<const Mesh> mesh) {
 
 // Rays per CPU second of Embree and nothing else: diffuse bounces off what the camera sees, made
 // beforehand, in tile order as the renderer asks them.
-double bare_rays_per_second(const World& world, const RenderScene& scene) {
-    const CameraRays camera(scene.camera, scene.film.width, scene.film.height);
+double bare_rays_per_second(const World& world, const Camera& camera, const FilmSettings& film) {
+    const CameraRays rays_of(camera, film.width, film.height);
     std::vector<Ray> rays;
     Random random(2, Purpose::test);
-    for (int y = 0; y < scene.film.height; ++y)
-        for (int x = 0; x < scene.film.width; ++x) {
+    for (int y = 0; y < film.height; ++y)
+        for (int x = 0; x < film.width; ++x) {
             const CameraRay first =
-                camera.ray(static_cast<float>(x), static_cast<float>(y), {0, 0});
+                rays_of.ray(static_cast<float>(x), static_cast<float>(y), {0, 0});
             Ray ray{first.origin, first.direction};
             for (int edge = 0; edge < 5; ++edge) {
                 rays.push_back(ray);
@@ -87,17 +89,17 @@ int main(int count, char** arguments) {
     const int runs = count > 2 ? std::atoi(arguments[2]) : 3;
     const auto mesh = std::make_shared<Mesh>(read_component(path));
     const std::vector<Aggregate> aggregates = {scatter(mesh)};
-    const std::vector<Material> materials = {Matte{{{Color(0.7F, 0.7F, 0.7F), nullptr}, {}}}};
     const std::vector<Light> lights = {Sky{}, Sun{}};
     const auto build_start = std::chrono::steady_clock::now();
     const World world(aggregates, lights);
     const std::chrono::duration<double> build = std::chrono::steady_clock::now() - build_start;
-    RenderScene scene{materials, lights, {}, {}};
-    scene.camera.from = {0.0F, 2.0F, 3.0F};
-    scene.film.width = 640;
-    scene.film.height = 360;
-    scene.film.samples = count > 3 ? std::atoi(arguments[3]) : 64;
-    scene.film.depth = 5;
+    Camera camera;
+    FilmSettings film;
+    camera.from = {0.0F, 2.0F, 3.0F};
+    film.width = 640;
+    film.height = 360;
+    film.samples = count > 3 ? std::atoi(arguments[3]) : 64;
+    film.depth = 5;
     fmt::print("{} instances of {} triangles, {:.1f} MiB, built in {:.2f} s, {} threads\n",
                world.instance_count(), mesh->triangles.size(),
                double(world.memory_bytes()) / (1 << 20), build.count(), thread_count());
@@ -105,7 +107,7 @@ int main(int count, char** arguments) {
     std::vector<double> cpu_rates;
     std::vector<double> shares;
     for (int run = 0; run < runs; ++run) {
-        const RenderStats stats = render(world, scene, {}).stats;
+        const RenderStats stats = render(world, camera, film, {}).stats;
         rates.push_back(stats.mrays_per_s());
         cpu_rates.push_back(double(stats.rays) / stats.cpu_seconds * 1e-6);
         shares.push_back(stats.embree_share);
@@ -117,5 +119,5 @@ int main(int count, char** arguments) {
     fmt::print("median: {:.2f} Mray/s, {:.2f} per CPU second, embree_share {:.3f}\n", median(rates),
                median(cpu_rates), median(shares));
     fmt::print("bare Embree, diffuse bounces, one thread: {:.2f} Mray per CPU second\n",
-               bare_rays_per_second(world, scene) * 1e-6);
+               bare_rays_per_second(world, camera, film) * 1e-6);
 }

@@ -7,9 +7,9 @@
 #include "bench/solid_pictures.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "procedurals/solid/fractal_lattice.h"
-#include "procedurals/solid/stripes.h"
-#include "procedurals/solid/vector_path.h"
+#include "procedurals/solid/lattice/fractal_lattice.h"
+#include "procedurals/solid/lattice/vector_path.h"
+#include "procedurals/solid/marble/stripes.h"
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 #include "core/random.h"
 #include "procedurals/table.h"
 #include "render/render.h"
-#include "scenes/reader/scene.h"
-#include "tests/plugin_params.h"
+#include "session/session.h"
+#include "tests/support/plugin_params.h"
 
 #include <fmt/format.h>
 
@@ -25,18 +25,15 @@ class Picture {
   public:
     Picture(const std::string& path, const Overrides& overrides) {
         const std::string full = std::string(SCREE_SOURCE_DIR) + "/" + path;
-        scene_ = resolve(read_description(full, overrides), full);
-        std::vector<Aggregate> aggregates;
-        for (const SceneItem& item : scene_.items)
-            aggregates.push_back(item.bake({}));
-        world_ = std::make_unique<World>(aggregates, scene_.lights);
+        Session session({.path = full, .overrides = overrides, .device = "none"});
+        scene_ = session.bake(session.load());
+        world_ = std::make_unique<World>(scene_.aggregates, scene_.lights);
     }
 
     FilmSettings& film() { return scene_.film; }
 
     RenderResult render(const RenderOptions& options) const {
-        return scree::render(
-            *world_, {scene_.materials, scene_.lights, *scene_.camera, scene_.film}, options);
+        return scree::render(*world_, *scene_.camera, scene_.film, options);
     }
 
   private:

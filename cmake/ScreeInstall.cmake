@@ -4,7 +4,8 @@ include(CMakePackageConfigHelpers)
 get_property(libraries GLOBAL PROPERTY SCREE_LIBRARIES)
 install(TARGETS scree RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${libraries} EXPORT scree-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-foreach(folder core analysis fabrication generators procedurals render formats scenes/reader)
+foreach(folder core geometry model shapes generators procedurals render formats analysis
+        fabrication scenes/reader session)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/scree/${folder}
     FILES_MATCHING PATTERN "*.h")
 endforeach()

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/image.h"
+#include "core/math.h"
 #include "core/picture_filter.h"
-#include "core/region.h"
 
 #include <span>
 #include <string>

@@ -44,6 +44,17 @@ Error Error::resource(std::string message) {
     return {Fault::resource, {Diagnostic{{}, {}, std::move(message), {}}}};
 }
 
+Error Error::located(const Location& where, const std::string& path) const {
+    std::vector<Diagnostic> placed = diagnostics_;
+    for (Diagnostic& d : placed) {
+        if (d.where.file.empty())
+            d.where = where;
+        if (d.path.empty())
+            d.path = path;
+    }
+    return {fault_, std::move(placed)};
+}
+
 namespace {
 
 // Damerau-Levenshtein distance (optimal string alignment): a swap of neighbours is one slip.

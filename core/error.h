@@ -41,6 +41,9 @@ class Error : public std::exception {
     static Error usage(std::string message, std::string hint = {});
     static Error resource(std::string message);
 
+    /// The same, its mistakes placed at `where` and `path` as far as they do not say their own.
+    Error located(const Location& where, const std::string& path) const;
+
     Fault fault() const noexcept { return fault_; }
     const std::vector<Diagnostic>& diagnostics() const noexcept { return diagnostics_; }
     const char* what() const noexcept override { return text_.c_str(); }

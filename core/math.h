@@ -9,12 +9,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace scree {
 
 using Vec2 = Imath::V2d; // layout plane: double, since exclusion tests must be safe
 using Vec2f = Imath::V2f;
 using Vec3 = Imath::V3f;
+using Ring = std::vector<Vec2>; // a closed polygon without its repeated last point [m]
 using Box2 = Imath::Box2d;
 using Box3 = Imath::Box3f;
 using Color = Imath::C3f; // linear Rec. 709

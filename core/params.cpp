@@ -6,19 +6,75 @@
 
 namespace scree {
 
+namespace {
+
+// A default in the unit of scripts.
+struct InProgramUnits {
+    const ParamSpec& spec;
+    double unit;
+
+    Value operator()(double number) const {
+        switch (spec.type) {
+        case ParamType::integer:
+            return static_cast<std::int64_t>(number);
+        case ParamType::range:
+            return Range{number * unit, number * unit};
+        case ParamType::field:
+            return number;
+        default:
+            return number * unit;
+        }
+    }
+    Value operator()(std::int64_t number) const {
+        return spec.type == ParamType::integer ? Value(number)
+                                               : (*this)(static_cast<double>(number));
+    }
+    Value operator()(const Vec2& v) const { return v * unit; }
+    Value operator()(const Vec3& v) const { return v * static_cast<float>(unit); }
+    Value operator()(const Range& range) const {
+        return Range{range.low * unit, range.high * unit};
+    }
+    Value operator()(const auto& other) const { return other; }
+};
+
+} // namespace
+
+Value default_value(const ParamSpec& spec) {
+    return std::visit(InProgramUnits{spec, spec.unit == "deg" ? radians(1) : 1}, spec.fallback);
+}
+
+bool is_object_list(const ParamSpec& spec) {
+    return spec.type == ParamType::list && spec.fields.size() == 1 &&
+           spec.fields.front().type == ParamType::object;
+}
+
+std::string kinds_in_words(const std::vector<std::string>& families, std::string_view between) {
+    std::string out;
+    for (const std::string& family : families)
+        out.append(out.empty() ? "" : between)
+            .append(family)
+            .append(family == "object" ? "" : ".*");
+    return out;
+}
+
 void Params::set(const std::string& name, Value value, Location where) {
     entries_[name] = Entry{std::move(value), std::move(where)};
 }
 
-bool Params::has(const std::string& name) const {
+const Value* Params::find(const std::string& name) const {
     const auto entry = entries_.find(name);
-    return entry != entries_.end() && !std::holds_alternative<std::monostate>(entry->second.value);
+    return entry == entries_.end() ? nullptr : &entry->second.value;
+}
+
+bool Params::has(const std::string& name) const {
+    const Value* value = find(name);
+    return value != nullptr && !std::holds_alternative<std::monostate>(*value);
 }
 
 template <class T>
 const T& Params::get(const std::string& name) const {
-    const auto entry = entries_.find(name);
-    const T* value = entry == entries_.end() ? nullptr : std::get_if<T>(&entry->second.value);
+    const Value* found = find(name);
+    const T* value = found == nullptr ? nullptr : std::get_if<T>(found);
     if (value == nullptr)
         throw std::logic_error(path_ + "." + name + ": read with a type it was not declared with");
     return *value;
@@ -31,32 +87,11 @@ const std::string& Params::text(const std::string& name) const { return get<std:
 const Vec2& Params::vector2(const std::string& name) const { return get<Vec2>(name); }
 const Vec3& Params::vector3(const std::string& name) const { return get<Vec3>(name); }
 const Color& Params::color(const std::string& name) const { return get<Color>(name); }
-const Texture& Params::texture(const std::string& name) const { return get<Texture>(name); }
 const Range& Params::range(const std::string& name) const { return get<Range>(name); }
 
 const std::vector<Vec2>& Params::points(const std::string& name) const {
     return get<std::vector<Vec2>>(name);
 }
-
-std::shared_ptr<const Mesh> Params::mesh(const std::string& name) const {
-    return get<std::shared_ptr<const Mesh>>(name);
-}
-
-std::shared_ptr<const Region> Params::region(const std::string& name) const {
-    return get<std::shared_ptr<const Region>>(name);
-}
-
-std::shared_ptr<const Field> Params::field(const std::string& name) const {
-    return get<std::shared_ptr<const Field>>(name);
-}
-
-bool Params::is_mesh(const std::string& name) const {
-    const auto entry = entries_.find(name);
-    return entry != entries_.end() &&
-           std::holds_alternative<std::shared_ptr<const Mesh>>(entry->second.value);
-}
-
-MaterialId Params::material(const std::string& name) const { return get<MaterialId>(name); }
 
 const std::vector<Params>& Params::list(const std::string& name) const {
     return *get<std::shared_ptr<const std::vector<Params>>>(name);

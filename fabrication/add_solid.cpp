@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fabrication/add_solid.h"
 
-#include "core/line_crossing.h"
 #include "core/parallel.h"
 #include "fabrication/triangle_distance.h"
+#include "geometry/mesh/line_crossing.h"
 
 #include <algorithm>
 #include <tuple>

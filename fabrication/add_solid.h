@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/mesh.h"
 #include "fabrication/distance_field.h"
+#include "geometry/mesh/mesh.h"
 
 #include <span>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/aggregate.h"
 #include "core/context.h"
+#include "model/aggregate.h"
 
 #include <span>
 

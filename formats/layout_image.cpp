@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/canvas.h"
 #include "core/display_encoding.h"
-#include "core/ground_plane.h"
 #include "formats/layout_picture.h"
+#include "geometry/plane/ground_plane.h"
 
 #include <algorithm>
 #include <map>

@@ -2,7 +2,7 @@
 #include "formats/layout_picture.h"
 
 #include "core/error.h"
-#include "core/ground_plane.h"
+#include "geometry/plane/ground_plane.h"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // Layouts seen from above, x to the right and z down, as drawings.
 #pragma once
 
-#include "core/aggregate.h"
 #include "core/image.h"
+#include "model/aggregate.h"
 
 #include <functional>
 #include <span>

@@ -85,7 +85,7 @@ Registry<Mesh(const Params& params)> mesh_file_table() {
              .type = ParamType::number,
              .doc = "Where the file has no normals, edges that bend more than this stay sharp.",
              .unit = "deg",
-             .fallback = radians(40),
+             .fallback = 40.0,
              .min = 0.0,
              .max = 180.0},
             {.name = "closed",

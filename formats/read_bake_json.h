@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/aggregate.h"
+#include "model/aggregate.h"
 
 #include <string>
 #include <string_view>

@@ -2,7 +2,7 @@
 // Mesh files, one reader a format. All are given the file's bytes and must hold against any bytes.
 #pragma once
 
-#include "core/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/surface_texture.h"
 
-#include "core/uv_frame.h"
-#include "core/uv_gutter.h"
+#include "geometry/mesh/uv_frame.h"
+#include "geometry/mesh/uv_gutter.h"
 
 #include <cmath>
 #include <optional>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/uv_raster.h"
 #include "formats/texture_source.h"
+#include "geometry/mesh/uv_raster.h"
 
 namespace scree {
 

@@ -2,8 +2,8 @@
 // Procedurals as cuts through space: pictures of slices, and volumes of voxels.
 #pragma once
 
-#include "core/voxel_grid.h"
 #include "formats/texture_source.h"
+#include "geometry/mesh/voxel_grid.h"
 
 #include <span>
 

@@ -4,8 +4,8 @@
 
 #include "core/context.h"
 #include "core/image.h"
-#include "core/mesh.h"
-#include "core/procedural.h"
+#include "geometry/mesh/mesh.h"
+#include "model/procedural.h"
 
 #include <functional>
 #include <memory>

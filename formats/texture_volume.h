@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/voxel_grid.h"
 #include "formats/texture_source.h"
 #include "formats/write_vdb.h"
+#include "geometry/mesh/voxel_grid.h"
 
 namespace scree {
 

@@ -2,7 +2,7 @@
 // 3MF files: the only door to lib3mf.
 #pragma once
 
-#include "core/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 namespace scree {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "procedurals/table.h"
+#include "core/registry.h"
+#include "model/procedural.h"
 
 namespace scree {
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "core/picture.h"
-#include "procedurals/table.h"
+#include "core/registry.h"
+#include "model/procedural.h"
 
 namespace scree {
 

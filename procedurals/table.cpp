@@ -4,13 +4,13 @@
 #include "procedurals/checker.h"
 #include "procedurals/image.h"
 #include "procedurals/ramp.h"
-#include "procedurals/solid/bark.h"
-#include "procedurals/solid/breccia.h"
-#include "procedurals/solid/granite.h"
-#include "procedurals/solid/leather.h"
-#include "procedurals/solid/marble.h"
-#include "procedurals/solid/stone.h"
-#include "procedurals/solid/wood.h"
+#include "procedurals/solid/bark/bark.h"
+#include "procedurals/solid/breccia/breccia.h"
+#include "procedurals/solid/granite/granite.h"
+#include "procedurals/solid/leather/leather.h"
+#include "procedurals/solid/marble/marble.h"
+#include "procedurals/solid/stone/stone.h"
+#include "procedurals/solid/wood/wood.h"
 
 namespace scree {
 

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "core/registry.h"
+#include "model/procedural.h"
 
 namespace scree {
-
-using MakeProcedural = std::shared_ptr<const Procedural>(const Params& params);
 
 Registry<MakeProcedural> procedural_table(); // procedural.checker, ...
 

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/math.h"
+#include "model/camera.h"
 
 namespace scree {
-
-/// A thin-lens perspective camera; with aperture 0 a pinhole.
-struct Camera {
-    Vec3 from{0.0F, 1.0F, 3.0F}; // eye [m]
-    Vec3 at{0.0F, 0.0F, 0.0F};   // looked at [m]
-    Vec3 up{0.0F, 1.0F, 0.0F};
-    float fov = 0.61F;  // full vertical angle of view [rad]
-    float aperture = 0; // diameter of the lens [m]
-    float focus = 0;    // distance of the plane in focus along the view direction [m]; 0: at `at`
-};
 
 /// A ray leaving the camera.
 struct CameraRay {
@@ -49,8 +39,5 @@ class CameraRays {
     float focus_ = 1;
     float spread_ = 0;
 };
-
-/// Maps the unit square to the unit disk, keeping areas (Shirley & Chiu 1997).
-Vec2f concentric_disk(const Vec2f& u);
 
 } // namespace scree

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 
 namespace scree {
 
@@ -31,12 +30,9 @@ bool black(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 } // namespace
 
-Integrator::Integrator(const World& world, std::span<const Material> materials,
-                       std::span<const Light> lights, int depth, float clamp, Mis mis)
-    : world_(world), materials_(materials), lights_(lights, mis == Mis::both), depth_(depth),
-      clamp_(clamp), mis_(mis) {
-    assert(world.material_count() <= materials.size());
-}
+Integrator::Integrator(const World& world, int depth, float clamp, Mis mis)
+    : world_(world), materials_(world.materials()), lights_(world.lights(), mis == Mis::both),
+      depth_(depth), clamp_(clamp), mis_(mis) {}
 
 void Integrator::add(Path& path, const Color& contribution, int edges) const {
     const Color light = path.throughput_ * contribution;

@@ -4,27 +4,17 @@
 #pragma once
 
 #include "render/camera.h"
-#include "render/light_sampler.h"
+#include "render/film/path_sample.h"
+#include "render/light/light_sampler.h"
 #include "render/paint.h"
 #include "render/sampler.h"
 #include "render/surface.h"
-#include "render/world.h"
+#include "render/world/world.h"
 
 namespace scree {
 
 /// How direct light is found; all agree in the mean. `both` is best, the others are for tests.
 enum class Mis { both, light_only, bsdf_only };
-
-/// What one path brings back.
-struct PathSample {
-    Color radiance{0.0F, 0.0F, 0.0F};
-    Color albedo{0.0F, 0.0F, 0.0F}; // of the first surface; 0 for the background
-    Vec3 normal{0.0F, 0.0F, 0.0F};  // its shading normal
-    Vec3 position{0.0F, 0.0F, 0.0F};
-    float distance = 0; // along the ray [m]
-    std::uint32_t instance = Hit::none;
-    bool covered = false; // the ray met something
-};
 
 /// Work done, for the statistics.
 struct RayCount {
@@ -67,8 +57,8 @@ class Path {
 /// Follows paths through a world. Thread-safe.
 class Integrator {
   public:
-    Integrator(const World& world, std::span<const Material> materials,
-               std::span<const Light> lights, int depth, float clamp, Mis mis);
+    /// `world` must outlive this.
+    Integrator(const World& world, int depth, float clamp, Mis mis);
 
     /// Follows the paths to their ends, all together by one edge at a time, so that the memory
     /// traffic of one is hidden behind the rays of the others and textures are asked about all of

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/paint.h"
 
-#include "render/frame.h"
-#include "render/instance_record.h"
+#include "core/frame.h"
+#include "render/world/instance_record.h"
 
 #include <algorithm>
 #include <array>
@@ -74,15 +74,10 @@ namespace {
 /// Whether it needed no procedural.
 bool paint_plainly(const PaintQuery& query, Painted& painted) {
     painted = {};
-    const std::vector<Color>& palette = query.paint->palette;
-    if (!palette.empty()) {
-        const auto index =
-            static_cast<std::size_t>(query.hit->random * static_cast<float>(palette.size()));
-        painted.color = palette[std::min(index, palette.size() - 1)];
-        return true;
-    }
-    painted.color = query.paint->texture.constant;
-    return query.paint->texture.procedural == nullptr;
+    const std::optional<Color> color = query.paint->one_color(query.hit->random);
+    if (color)
+        painted.color = *color;
+    return color.has_value();
 }
 
 Painted painted_as(const ShadingSample& sample, const Hit& hit) {

@@ -2,8 +2,8 @@
 // What a material's paint says of a hit: its colour, its roughness and the bend of its normal.
 #pragma once
 
-#include "render/materials.h"
-#include "render/world.h"
+#include "model/material.h"
+#include "render/world/world.h"
 
 #include <span>
 

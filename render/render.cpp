@@ -3,8 +3,8 @@
 
 #include "core/error.h"
 #include "core/parallel.h"
-#include "render/filter.h"
-#include "render/ticks.h"
+#include "render/film/filter.h"
+#include "render/world/ticks.h"
 
 #include <fmt/format.h>
 
@@ -90,14 +90,12 @@ double seconds_since(Clock::time_point start) {
 // One call of render().
 class Job {
   public:
-    Job(const World& world, const RenderScene& scene, const RenderOptions& options,
-        const Context& context)
-        : options_(options), context_(context), crop_(checked_crop(scene.film, options.crop)),
-          rays_(scene.camera, scene.film.width, scene.film.height),
-          filter_(scene.film.filter, scene.film.radius),
-          integrator_(world, scene.materials, scene.lights, scene.film.depth, scene.film.clamp,
-                      options.mis),
-          samples_(options.samples > 0 ? options.samples : scene.film.samples),
+    Job(const World& world, const Camera& camera, const FilmSettings& settings,
+        const RenderOptions& options, const Context& context)
+        : options_(options), context_(context), crop_(checked_crop(settings, options.crop)),
+          rays_(camera, settings.width, settings.height), filter_(settings.filter, settings.radius),
+          integrator_(world, settings.depth, settings.clamp, options.mis),
+          samples_(options.samples > 0 ? options.samples : settings.samples),
           share_(sample_width(samples_, options)), spread_(rays_.pixel_spread() * share_),
           film_(crop_.width, crop_.height), tiles_(cut(crop_.width, crop_.height)) {}
 
@@ -274,12 +272,12 @@ RenderResult Job::run() {
 
 } // namespace
 
-RenderResult render(const World& world, const RenderScene& scene, const RenderOptions& options,
-                    const Context& context) {
+RenderResult render(const World& world, const Camera& camera, const FilmSettings& settings,
+                    const RenderOptions& options, const Context& context) {
     std::optional<ThreadLimit> limit;
     if (options.threads > 0)
         limit.emplace(options.threads);
-    return Job(world, scene, options, context).run();
+    return Job(world, camera, settings, options, context).run();
 }
 
 } // namespace scree

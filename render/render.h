@@ -3,27 +3,16 @@
 #pragma once
 
 #include "core/context.h"
+#include "model/film_settings.h"
 #include "render/camera.h"
-#include "render/film.h"
-#include "render/film_settings.h"
+#include "render/film/film.h"
 #include "render/integrator.h"
-#include "render/lights.h"
-#include "render/materials.h"
-#include "render/world.h"
+#include "render/world/world.h"
 
 #include <functional>
 #include <optional>
-#include <span>
 
 namespace scree {
-
-/// What is to be rendered, beside the world. The spans must outlive the call.
-struct RenderScene {
-    std::span<const Material> materials; // by MaterialId
-    std::span<const Light> lights;       // the same as the world's
-    Camera camera;
-    FilmSettings film;
-};
 
 /// A rectangle of the full picture [pixels].
 struct Crop {
@@ -66,7 +55,7 @@ struct RenderResult {
 
 /// Renders in passes of growing length over the whole picture. Reports to the context's progress;
 /// on cancel returns what there is. Throws Error (usage) on a crop outside of the picture.
-RenderResult render(const World& world, const RenderScene& scene, const RenderOptions& options,
-                    const Context& context = {});
+RenderResult render(const World& world, const Camera& camera, const FilmSettings& settings,
+                    const RenderOptions& options, const Context& context = {});
 
 } // namespace scree

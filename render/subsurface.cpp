@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/subsurface.h"
 
+#include "core/warps.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -25,13 +27,6 @@ float single_scattering_albedo(float color) {
     const float b = 1.139F + 1.17F * color;
     const float s = 2 * (1 - color) / (b + std::sqrt(b * b - 4 * 0.139F * (1 - color)));
     return std::max(0.0F, 1 - s * s);
-}
-
-Vec3 sample_sphere(Random& random) {
-    const float z = 1 - 2 * random.uniform_float();
-    const float sine = std::sqrt(std::max(0.0F, 1 - z * z));
-    const float angle = 2 * pi_f * random.uniform_float();
-    return {sine * std::cos(angle), sine * std::sin(angle), z};
 }
 
 // The channels' densities of one and the same walk. Only their ratios matter.
@@ -128,7 +123,8 @@ Walk walk_inside(const World& world, const Medium& medium, const Hit& entry, con
         densities.scatter();
         left *= medium.albedo;
         ray.origin += ray.direction * ray.length;
-        ray.direction = sample_sphere(random);
+        const float u = random.uniform_float();
+        ray.direction = warp::sphere(Vec2f(u, random.uniform_float()));
         if (step < first_roulette)
             continue;
         const float survival =

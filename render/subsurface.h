@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/random.h"
-#include "render/world.h"
+#include "render/world/world.h"
 
 namespace scree {
 

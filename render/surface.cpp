@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/surface.h"
 
-#include "render/ggx.h"
+#include "render/bsdf/ggx.h"
 
 #include <algorithm>
 #include <cassert>
@@ -72,8 +72,9 @@ Color Surface::albedo() const {
     return is_glass ? Color(1.0F, 1.0F, 1.0F) : bsdf.color;
 }
 
-MaterialSet::MaterialSet(std::span<const Material> materials) {
-    for (const Material& material : materials) {
+MaterialSet::MaterialSet(std::span<const std::shared_ptr<const Material>> materials) {
+    for (const std::shared_ptr<const Material>& shared : materials) {
+        const Material& material = *shared;
         Prepared prepared;
         if (const auto* matte = std::get_if<Matte>(&material)) {
             prepared.paint = matte->paint;

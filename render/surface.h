@@ -2,12 +2,12 @@
 // Materials made ready, and a hit turned into something that scatters light.
 #pragma once
 
-#include "render/bsdf.h"
-#include "render/frame.h"
-#include "render/materials.h"
+#include "core/frame.h"
+#include "model/material.h"
+#include "render/bsdf/bsdf.h"
 #include "render/paint.h"
 #include "render/subsurface.h"
-#include "render/world.h"
+#include "render/world/world.h"
 
 #include <map>
 #include <span>
@@ -42,7 +42,7 @@ struct Surface {
 /// The scene's materials. Thread-safe once made.
 class MaterialSet {
   public:
-    explicit MaterialSet(std::span<const Material> materials);
+    explicit MaterialSet(std::span<const std::shared_ptr<const Material>> materials);
 
     /// What the surface at a hit is painted with.
     const Paint& paint(const Hit& hit) const { return materials_[hit.material].paint; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/elements/class_sizes.h"
 
-#include "generators/sampling/poisson_disk.h"
+#include "geometry/sampling/poisson_disk.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/elements/element_shapes.h"
 
+#include "core/located.h"
 #include "generators/elements/class_sizes.h"
-#include "generators/located.h"
-#include "generators/sampling/flat_mesh.h"
-#include "generators/sampling/picture_shape.h"
-#include "generators/sampling/region_tools.h"
+#include "geometry/plane/flat_mesh.h"
+#include "geometry/plane/picture_shape.h"
+#include "geometry/plane/region_tools.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace scree {
 namespace {
 
 void read_mesh(const Params& component, Prototype& prototype) {
-    prototype.mesh = component.mesh("shape");
+    prototype.mesh = component.object<Mesh>("shape");
     if (!component.has("region"))
         prototype.region = located(component, "shape", [&] {
             return std::make_shared<const Region>(silhouette(*prototype.mesh));
@@ -41,17 +41,17 @@ Prototype read_prototype(const Params& component, std::size_t index) {
     Prototype prototype;
     if (!has_shape) {
         read_picture(component, prototype);
-    } else if (component.is_mesh("shape")) {
+    } else if (component.object<Mesh>("shape") != nullptr) {
         read_mesh(component, prototype);
     } else {
-        prototype.region = component.region("shape");
+        prototype.region = component.object<Region>("shape");
         prototype.mesh = std::make_shared<const Mesh>(
             flat_mesh(*prototype.region, fmt::format("component_{}", index)));
     }
     if (prototype.region == nullptr)
-        prototype.region = component.region("region");
+        prototype.region = component.object<Region>("region");
     prototype.name = prototype.mesh->name;
-    prototype.material = component.material("material");
+    prototype.material = component.object<Material>("material");
     return prototype;
 }
 
@@ -89,7 +89,7 @@ EllipseAxes given_axes(const Params& component, const EllipseAxes& own, bool dis
 
 /// What keeps others away.
 const Region& outline_of(const Params& component, const Prototype& prototype) {
-    return component.has("region") ? *component.region("region") : *prototype.region;
+    return component.has("region") ? *component.object<Region>("region") : *prototype.region;
 }
 
 void measure(const Params& component, bool disk, double spread, ElementShape& shape) {

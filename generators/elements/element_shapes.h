@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/aggregate.h"
 #include "core/params.h"
 #include "generators/elements/exclusive_ellipse.h"
-#include "generators/sampling/poisson_disk.h"
+#include "geometry/sampling/poisson_disk.h"
+#include "model/aggregate.h"
 
 namespace scree {
 

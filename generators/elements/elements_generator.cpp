@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/elements/elements_generator.h"
 
+#include "core/located.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "generators/elements/element_kinds.h"
 #include "generators/elements/element_shapes.h"
 #include "generators/elements/elements_on_surface.h"
 #include "generators/elements/elements_specs.h"
-#include "generators/fields/plain_fields.h"
-#include "generators/layout/prototypes.h"
-#include "generators/located.h"
-#include "generators/sampling/region_shapes.h"
-#include "generators/sampling/region_tools.h"
+#include "geometry/plane/field.h"
+#include "geometry/plane/ground_plane.h"
+#include "geometry/plane/region_shapes.h"
+#include "geometry/plane/region_tools.h"
 
 #include <fmt/format.h>
 
@@ -23,10 +23,6 @@ namespace scree {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::shared_ptr<const Field> field_of(const Params& params, const char* name) {
-    return params.has(name) ? params.field(name) : nullptr;
-}
 
 /// What multiplies the distances: the elements' scale and their spacing.
 std::shared_ptr<const Field> distance_scale(const Params& params) {
@@ -40,12 +36,12 @@ std::shared_ptr<const Field> distance_scale(const Params& params) {
 /// The domain less what is too near to its border for the farthest-reaching element.
 std::shared_ptr<const Region> inner_domain(const Params& params,
                                            const std::vector<ElementShape>& shapes) {
-    const std::shared_ptr<const Region> domain = params.region("domain");
+    const std::shared_ptr<const Region> domain = params.object<Region>("domain");
     const auto farthest =
         std::max_element(shapes.begin(), shapes.end(),
                          [](const auto& a, const auto& b) { return a.reach < b.reach; });
     const double scale =
-        params.has("scale_by") ? params.field("scale_by")->over(bounds(*domain)).high : 1;
+        params.has("scale_by") ? field_of(params, "scale_by")->over(bounds(*domain)).high : 1;
     const double reach = farthest->reach * scale;
     if (reach <= 0)
         return domain;
@@ -62,7 +58,7 @@ std::shared_ptr<const Region> inner_domain(const Params& params,
 }
 
 PoissonDiskProblem problem_from(const Params& params, const std::vector<ElementShape>& shapes) {
-    const std::shared_ptr<const Region> domain = params.region("domain");
+    const std::shared_ptr<const Region> domain = params.object<Region>("domain");
     if (!(area(*domain) > 0))
         throw params.error("domain", "the domain has no area");
     const bool torus = params.flag("torus");
@@ -90,7 +86,7 @@ std::vector<Instance> instances_of(const std::vector<DiskSample>& samples,
         const DiskSample& sample = samples[i];
         const ElementShape& shape = shapes[components[i]];
         instances[i].prototype = components[i];
-        instances[i].world_from_object = world_from_component(
+        instances[i].world_from_object = world_from_element(
             shape.centre, sample.position, sample.angle, sample.scale, shape.height);
         instances[i].random = Random(seed, Purpose::instance_attribute, i).uniform_float();
         instances[i].angle = sample.angle;
@@ -111,7 +107,7 @@ Facts facts_of(const Params& params, const std::vector<ElementShape>& shapes,
         bare += shape.area * scale2;
         exclusive += pi / 4 * shape.room.exclusive.length * shape.room.exclusive.width * scale2;
     }
-    const double domain = area(*params.region("domain"));
+    const double domain = area(*params.object<Region>("domain"));
     Facts facts{{"count", double(set.samples.size())}, {"fill", bare / domain}};
     const bool overlap_within =
         shapes.size() > 1 && params.text("mix") == "even" && shapes.front().sized;
@@ -128,7 +124,7 @@ std::shared_ptr<const Picture> background_of(const Params& params) {
         return nullptr;
     return located(params, "background", [&] {
         Picture picture = read_picture(params.text("background"));
-        picture.box = bounds(*params.region("domain"));
+        picture.box = bounds(*params.object<Region>("domain"));
         return std::make_shared<const Picture>(std::move(picture));
     });
 }
@@ -152,7 +148,7 @@ Aggregate bake_elements(const Params& params, const Context& context) {
     if (params.has("spacing_by"))
         for (DiskSample& sample : set.samples)
             sample.scale =
-                params.has("scale_by") ? params.field("scale_by")->at(sample.position) : 1;
+                params.has("scale_by") ? field_of(params, "scale_by")->at(sample.position) : 1;
     std::vector<std::uint32_t> classes;
     for (const DiskSample& sample : set.samples)
         classes.push_back(sample.disk_class);
@@ -165,7 +161,7 @@ Aggregate bake_elements(const Params& params, const Context& context) {
     for (const ElementShape& shape : shapes)
         aggregate.prototypes.push_back(shape.prototype);
     aggregate.instances = instances_of(set.samples, components, shapes, problem.seed);
-    aggregate.domain = params.region("domain");
+    aggregate.domain = params.object<Region>("domain");
     aggregate.background = background_of(params);
     aggregate.torus = problem.torus;
     aggregate.texture = true;

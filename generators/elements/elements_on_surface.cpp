@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/elements/elements_on_surface.h"
 
+#include "core/located.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "generators/elements/element_kinds.h"
-#include "generators/located.h"
-#include "generators/sampling/surface_disks.h"
+#include "geometry/sampling/surface_disks.h"
 
 #include <chrono>
 
@@ -47,7 +47,7 @@ Aggregate bake_on_surface(const Params& params, const std::vector<ElementShape>&
                           const Context& context) {
     const auto start = std::chrono::steady_clock::now();
     check_params(params);
-    const std::shared_ptr<const Mesh> mesh = params.mesh("surface");
+    const std::shared_ptr<const Mesh> mesh = params.object<Mesh>("surface");
     const std::vector<DiskClass> classes = disk_classes(params, shapes);
     SurfaceDiskProblem problem{.mesh = mesh.get(),
                                .distances = {},

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/elements/elements_specs.h"
 
-#include "generators/sampling/picture_shape.h"
+#include "model/material.h"
+
+#include "geometry/plane/picture_shape.h"
 
 namespace scree {
 
@@ -28,7 +30,8 @@ ParamSpec rotation(std::string doc) {
 std::vector<ParamSpec> component_specs() {
     std::vector<ParamSpec> specs{
         {.name = "shape",
-         .type = ParamType::shape,
+         .type = ParamType::object,
+         .families = {"mesh", "region"},
          .doc = "What is placed: a mesh, or a region, which becomes a flat mesh.",
          .optional = true},
     };
@@ -36,14 +39,12 @@ std::vector<ParamSpec> component_specs() {
         specs.push_back(std::move(spec));
     const std::vector<ParamSpec> others{
         {.name = "region",
-         .type = ParamType::region,
+         .type = ParamType::object,
+         .families = {"region"},
          .doc = "Its outline in place of the shape's own; for a mesh that is its silhouette from "
                 "above.",
          .optional = true},
-        {.name = "material",
-         .type = ParamType::material,
-         .doc = "Its material.",
-         .fallback = MaterialId{}},
+        material_spec("Its material"),
         {.name = "weight",
          .type = ParamType::number,
          .doc = "Its share of all elements, relative to the others; mixed evenly with sizes given, "
@@ -77,11 +78,13 @@ std::vector<ParamSpec> component_specs() {
 std::vector<ParamSpec> elements_specs() {
     return {
         {.name = "domain",
-         .type = ParamType::region,
+         .type = ParamType::object,
+         .families = {"region"},
          .doc = "What is filled with elements; or surface is.",
          .optional = true},
         {.name = "surface",
-         .type = ParamType::mesh,
+         .type = ParamType::object,
+         .families = {"mesh"},
          .doc =
              "A mesh on which the elements stand, each along the normal there and turned any way "
              "unless there is a rotation; they keep apart as disks.",

@@ -2,7 +2,7 @@
 // How much room an element needs: ellipses about it, along and across its own x axis.
 #pragma once
 
-#include "core/region.h"
+#include "geometry/plane/region.h"
 
 namespace scree {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/device.h"
-#include "generators/layout/domain_test.h"
+#include "geometry/figures/domain_test.h"
 
 #include <memory>
 #include <optional>

@@ -4,7 +4,8 @@
 #include "generators/layout/layout_specs.h"
 #include "generators/layout/method.h"
 #include "generators/layout/prototypes.h"
-#include "generators/sampling/region_shapes.h"
+#include "geometry/plane/ground_plane.h"
+#include "geometry/plane/region_shapes.h"
 
 #include <fmt/format.h>
 
@@ -27,10 +28,8 @@ Range rotation_of(const Params& params) {
 }
 
 LayoutFields fields_of(const Params& params) {
-    const auto field = [&](const char* name) {
-        return params.has(name) ? params.field(name) : nullptr;
-    };
-    return {field("direction"), field("scale_by"), field("density"), field("classes")};
+    return {field_of(params, "direction"), field_of(params, "scale_by"),
+            field_of(params, "density"), field_of(params, "classes")};
 }
 
 void check_torus(const Params& params, const LayoutProblem& problem) {
@@ -47,7 +46,7 @@ void check_torus(const Params& params, const LayoutProblem& problem) {
 
 LayoutProblem problem_from(const Params& params, const std::vector<Prototype>& prototypes) {
     LayoutProblem problem{
-        .domain = DomainTest(params.region("domain"), inside_of(params)),
+        .domain = DomainTest(params.object<Region>("domain"), inside_of(params)),
         .fields = fields_of(params),
         .rotation = rotation_of(params),
         .scale = params.range("scale"),
@@ -92,8 +91,8 @@ std::vector<Instance> instances_of(const LayoutProblem& problem, const Layout& l
         const std::uint32_t c = layout.component[i];
         instances[i].prototype = c;
         instances[i].world_from_object =
-            world_from_component(problem.shapes[c].centre(), layout.position[i], layout.angle[i],
-                                 layout.scale[i], components[c].number("height"));
+            world_from_element(problem.shapes[c].centre(), layout.position[i], layout.angle[i],
+                               layout.scale[i], components[c].number("height"));
         instances[i].random = Random(problem.seed, Purpose::instance_attribute, i).uniform_float();
         instances[i].angle = static_cast<float>(layout.angle[i]);
         instances[i].scale = static_cast<float>(layout.scale[i]);
@@ -130,7 +129,7 @@ void add_certificate(const Certificate& certificate, Facts& facts) {
 
 Aggregate bake_layout(const Params& params, const Context& context) {
     const auto start = std::chrono::steady_clock::now();
-    if (!(area(*params.region("domain")) > 0))
+    if (!(area(*params.object<Region>("domain")) > 0))
         throw params.error("domain", "the domain has no area");
     Components components = components_from(
         params.list("components"), params.has("density") ? Margins::by_place : Margins::in_regions);
@@ -169,7 +168,7 @@ Aggregate bake_layout(const Params& params, const Context& context) {
                                                      "trials",
                                                      counts.trials));
 
-    const Layout layout = placements.layout(params.region("domain"));
+    const Layout layout = placements.layout(params.object<Region>("domain"));
     Aggregate aggregate;
     aggregate.generator = "layout";
     aggregate.seed = problem.seed;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/layout/layout_specs.h"
 
+#include "model/material.h"
+
 namespace scree {
 
 namespace {
@@ -8,17 +10,16 @@ namespace {
 std::vector<ParamSpec> component_specs() {
     return {
         {.name = "shape",
-         .type = ParamType::shape,
+         .type = ParamType::object,
+         .families = {"mesh", "region"},
          .doc = "What is placed: a mesh, or a region, which becomes a flat mesh."},
         {.name = "region",
-         .type = ParamType::region,
+         .type = ParamType::object,
+         .families = {"region"},
          .doc = "The exclusive region in place of the shape's own; for a mesh that is its "
                 "silhouette from above.",
          .optional = true},
-        {.name = "material",
-         .type = ParamType::material,
-         .doc = "Its material.",
-         .fallback = MaterialId{}},
+        material_spec("Its material"),
         {.name = "weight",
          .type = ParamType::number,
          .doc = "How often it is tried, relative to the others.",
@@ -55,7 +56,10 @@ std::vector<ParamSpec> layout_specs() {
                 "is certain that nothing more fits.",
          .fallback = std::string("fill_gap"),
          .choices = {"naive", "fill_gap", "saturated"}},
-        {.name = "domain", .type = ParamType::region, .doc = "Where elements may lie."},
+        {.name = "domain",
+         .type = ParamType::object,
+         .families = {"region"},
+         .doc = "Where elements may lie."},
         {.name = "torus",
          .type = ParamType::boolean,
          .doc = "The domain, a rectangle, tiles: what sticks out of it comes in on the other side.",

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/context.h"
-#include "generators/layout/placements.h"
+#include "geometry/figures/placements.h"
 
 namespace scree {
 

@@ -2,7 +2,7 @@
 // What is left of an area after convex polygons have been taken from it.
 #pragma once
 
-#include "generators/layout/no_fit.h"
+#include "geometry/figures/no_fit.h"
 
 #include <array>
 

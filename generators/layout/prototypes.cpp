@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/layout/prototypes.h"
 
-#include "generators/sampling/flat_mesh.h"
-#include "generators/sampling/region_tools.h"
+#include "geometry/plane/flat_mesh.h"
+#include "geometry/plane/region_tools.h"
 
 #include <fmt/format.h>
 
@@ -12,11 +12,11 @@ namespace {
 
 std::shared_ptr<const Region> own_region(const Params& component) {
     if (component.has("region"))
-        return component.region("region");
-    if (!component.is_mesh("shape"))
-        return component.region("shape");
+        return component.object<Region>("region");
+    if (component.object<Mesh>("shape") == nullptr)
+        return component.object<Region>("shape");
     try {
-        return std::make_shared<Region>(silhouette(*component.mesh("shape")));
+        return std::make_shared<Region>(silhouette(*component.object<Mesh>("shape")));
     } catch (const Error& error) {
         throw component.error("shape", error.diagnostics().front().message);
     }
@@ -45,32 +45,22 @@ Components components_from(const std::vector<Params>& components, Margins margin
         if (!(area(*bare) > 0))
             throw component.error(component.has("region") ? "region" : "shape",
                                   "the region has no area");
-        if (component.is_mesh("shape")) {
-            prototype.mesh = component.mesh("shape");
+        if (component.object<Mesh>("shape") != nullptr) {
+            prototype.mesh = component.object<Mesh>("shape");
         } else {
             prototype.mesh = std::make_shared<Mesh>(
-                flat_mesh(*component.region("shape"), fmt::format("component_{}", i)));
+                flat_mesh(*component.object<Region>("shape"), fmt::format("component_{}", i)));
         }
         prototype.name = prototype.mesh->name;
         if (margins == Margins::by_place && component.number("margin") < 0)
             throw component.error("margin", "is below 0; a margin that the layout's density "
                                             "multiplies can only grow the region");
         prototype.region = margins == Margins::by_place ? bare : with_margin(component, bare);
-        prototype.material = component.material("material");
+        prototype.material = component.object<Material>("material");
         result.prototypes.push_back(std::move(prototype));
         result.bare_areas.push_back(area(*bare));
     }
     return result;
-}
-
-Matrix world_from_component(const Vec2& centre, const Vec2& position, double angle, double scale,
-                            double height) {
-    const Vec2 x = rotate({scale, 0}, angle);
-    const Vec2 z = rotate({0, scale}, angle);
-    const Vec2 t = position - x * centre.x - z * centre.y;
-    const auto f = [](double value) { return static_cast<float>(value); };
-    return {f(x.x), 0, f(x.y), 0, 0,      f(scale),  0,      0,
-            f(z.x), 0, f(z.y), 0, f(t.x), f(height), f(t.y), 1};
 }
 
 } // namespace scree

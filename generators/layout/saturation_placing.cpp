@@ -2,7 +2,7 @@
 // How the search places elements: darts, and what is left of a cell whose middle is free.
 #include "generators/layout/saturation_search.h"
 
-#include "generators/layout/overlap.h"
+#include "geometry/figures/overlap.h"
 
 #include <algorithm>
 

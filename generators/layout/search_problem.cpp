@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/layout/search_problem.h"
 
-#include "generators/layout/convex_cover.h"
-#include "generators/sampling/region_tools.h"
+#include "geometry/figures/convex_cover.h"
+#include "geometry/plane/region_tools.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generators/layout/no_fit.h"
-#include "generators/layout/placements.h"
+#include "geometry/figures/no_fit.h"
+#include "geometry/figures/placements.h"
 
 namespace scree {
 

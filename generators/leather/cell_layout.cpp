@@ -2,8 +2,8 @@
 #include "generators/leather/cell_layout.h"
 
 #include "core/random.h"
-#include "generators/layout/placements.h"
-#include "generators/sampling/region_tools.h"
+#include "geometry/figures/placements.h"
+#include "geometry/plane/region_tools.h"
 
 #include <algorithm>
 

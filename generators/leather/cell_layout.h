@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/context.h"
-#include "generators/layout/collision_shape.h"
 #include "generators/leather/leather_settings.h"
+#include "geometry/figures/collision_shape.h"
 
 namespace scree {
 

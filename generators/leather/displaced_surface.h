@@ -2,8 +2,8 @@
 // Meshes moved by a height map. All cover their shape with tiles at the map's true size.
 #pragma once
 
-#include "core/height_field.h"
-#include "core/mesh.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/plane/height_field.h"
 
 namespace scree {
 

@@ -59,7 +59,7 @@ Mesh shape_of(const Params& params, const HeightField& field) {
     const auto triangles = static_cast<std::size_t>(params.integer("triangles"));
     if (!params.has("shape"))
         return displaced_swatch(field, params.number("thickness"), triangles);
-    const Mesh& mesh = *params.mesh("shape");
+    const Mesh& mesh = *params.object<Mesh>("shape");
     Vec3 centre;
     double radius = 0;
     Mesh result;
@@ -98,7 +98,8 @@ Aggregate bake_leather(const Params& params, const Context& context) {
     Aggregate aggregate;
     aggregate.generator = "leather";
     aggregate.seed = request.seed;
-    aggregate.prototypes.push_back({mesh->name, mesh, nullptr, params.material("material")});
+    aggregate.prototypes.push_back(
+        {mesh->name, mesh, nullptr, params.object<Material>("material")});
     Instance instance;
     instance.world_from_object = place_of(params);
     instance.random = Random(request.seed, Purpose::instance_attribute).uniform_float();
@@ -150,7 +151,8 @@ std::vector<ParamSpec> leather_specs() {
     };
     const std::vector<ParamSpec> cover{
         {.name = "shape",
-         .type = ParamType::mesh,
+         .type = ParamType::object,
+         .families = {"mesh"},
          .doc = "What the leather covers: a mesh with UVs, over which the tile repeats at its true "
                 "size, or a sphere; one flat tile when not given.",
          .optional = true},
@@ -171,10 +173,7 @@ std::vector<ParamSpec> leather_specs() {
          .fallback = std::int64_t{2000000},
          .min = 100.0,
          .max = 5e7},
-        {.name = "material",
-         .type = ParamType::material,
-         .doc = "Its material.",
-         .fallback = MaterialId{}},
+        material_spec("Its material"),
         {.name = "position",
          .type = ParamType::vector3,
          .doc = "Where the shape's origin goes.",

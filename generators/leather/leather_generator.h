@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generators/table.h"
+#include "model/generator.h"
 
 namespace scree {
 

@@ -62,7 +62,8 @@ std::vector<float> membrane(const GrooveNetwork& network, double shoulder, const
         reach = std::max(reach, network.distance[i]);
     }
     // The best over-relaxation for the slowest error, which fades over the shoulder and is nought
-    // on the widest cell's grooves (Young 1954); this many sweeps leave less than a thousandth of it.
+    // on the widest cell's grooves (Young 1954); this many sweeps leave less than a thousandth of
+    // it.
     const double radius = std::max(1.0, double(reach) / network.pixel);
     const double rate = std::sqrt(0.5 / (pixels * pixels) + pi * pi / 4 / (radius * radius));
     const auto relaxation = static_cast<float>(2 / (1 + rate));

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/context.h"
-#include "core/height_field.h"
 #include "generators/leather/leather_settings.h"
+#include "geometry/plane/height_field.h"
 
 namespace scree {
 

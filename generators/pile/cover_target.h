@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generators/pile/insertion.h"
 #include "generators/pile/pile_cover.h"
+#include "geometry/bodies/insertion.h"
 
 namespace scree {
 

@@ -4,7 +4,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "generators/pile/cover_target.h"
-#include "generators/pile/offset_shells.h"
+#include "geometry/mesh/offset_shells.h"
 
 #include <algorithm>
 #include <numeric>

@@ -110,9 +110,9 @@ OrientationFlow orientation_flow(const Params& params) {
         : params.has("about")
             ? OrientationFlow::swirl(unit(params, "about"),
                                      params.has("centre") ? params.vector3("centre") : Vec3(0))
-            : OrientationFlow::heading(params.field("heading"));
+            : OrientationFlow::heading(field_of(params, "heading"));
     if (params.has("turn"))
-        flow.set_turn(params.field("turn"));
+        flow.set_turn(field_of(params, "turn"));
     return flow;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/params.h"
+#include "geometry/plane/field.h"
 
 namespace scree {
 

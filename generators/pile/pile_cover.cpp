@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/pile/pile_cover.h"
 
-#include "core/field.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "generators/pile/mesh_rays.h"
-#include "generators/sampling/surface_disks.h"
+#include "core/warps.h"
+#include "geometry/mesh/mesh_rays.h"
+#include "geometry/plane/field.h"
+#include "geometry/sampling/surface_disks.h"
 
 #include <algorithm>
 
@@ -16,12 +17,9 @@ namespace {
 using Vec3d = Imath::V3d;
 
 Vec3 cosine_direction(const Vec3& normal, Random& random) {
-    // A point of the unit sphere round the normal's tip (Archimedes' cylinder).
-    const double z = random.uniform(-1, 1);
-    const double angle = random.uniform(0, 2 * pi);
-    const double r = std::sqrt(1 - z * z);
-    const Vec3 d = normal + Vec3(static_cast<float>(r * std::cos(angle)),
-                                 static_cast<float>(r * std::sin(angle)), static_cast<float>(z));
+    // A point of the unit sphere round the normal's tip.
+    const double u = random.uniform();
+    const Vec3 d = normal + Vec3(warp::sphere(Vec2(u, random.uniform())));
     return d.length() > 1e-3F ? d.normalized() : normal;
 }
 
@@ -40,11 +38,10 @@ class AreaSampler {
             std::upper_bound(sums_.begin(), sums_.end(), random.uniform(0, sums_.back()));
         const auto t = std::min<std::size_t>(std::size_t(found - sums_.begin()), sums_.size() - 1);
         const Mesh::Triangle& v = mesh_->triangles[t];
-        const double root = std::sqrt(random.uniform());
-        const double b = root * (1 - random.uniform());
-        const Vec3d p = Vec3d(mesh_->positions[v[0]]) * (1 - root) +
-                        Vec3d(mesh_->positions[v[1]]) * b +
-                        Vec3d(mesh_->positions[v[2]]) * (root - b);
+        const double u = random.uniform();
+        const Vec3d b = warp::triangle(Vec2(u, random.uniform()));
+        const Vec3d p = Vec3d(mesh_->positions[v[0]]) * b.x + Vec3d(mesh_->positions[v[1]]) * b.y +
+                        Vec3d(mesh_->positions[v[2]]) * b.z;
         return {p, normal_of(v).normalized(), static_cast<std::uint32_t>(t), 0};
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generators/pile/advance.h"
+#include "geometry/bodies/advance.h"
 
 namespace scree {
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/pile/pile_generator.h"
 
+#include "core/located.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "generators/located.h"
 #include "generators/pile/cover_target.h"
-#include "generators/pile/insertion.h"
-#include "generators/pile/overlap_measure.h"
 #include "generators/pile/pile_problem.h"
 #include "generators/pile/pile_relax.h"
 #include "generators/pile/pile_solid.h"
 #include "generators/pile/pile_specs.h"
 #include "generators/pile/pile_support.h"
 #include "generators/pile/thesis_method.h"
+#include "geometry/bodies/insertion.h"
+#include "geometry/bodies/overlap_measure.h"
 
 #include <fmt/format.h>
 
@@ -188,7 +188,7 @@ Aggregate bake_pile(const Params& params, const Context& context) {
                           .seed = seed};
     stages.end("preparing");
 
-    const std::shared_ptr<const Mesh> target = params.mesh("target");
+    const std::shared_ptr<const Mesh> target = params.object<Mesh>("target");
     std::vector<PileSite> sites;
     // Sites go by the components' sizes alone, so that the rest of these is made meanwhile.
     parallel_for(kinds.size() + 1, 1, [&](std::size_t i) {

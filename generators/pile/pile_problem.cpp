@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/pile/pile_problem.h"
 
+#include "core/located.h"
 #include "core/parallel.h"
-#include "generators/located.h"
 #include "generators/pile/shape_variation.h"
 
 #include <fmt/format.h>
@@ -20,8 +20,9 @@ double thickness_of(const Params& component) {
                                   "expected sheet = true beside it");
         return 0;
     }
-    return component.has("thickness") ? component.number("thickness")
-                                      : 0.02 * 2 * std::sqrt(area(*component.mesh("shape")) / pi);
+    return component.has("thickness")
+               ? component.number("thickness")
+               : 0.02 * 2 * std::sqrt(area(*component.object<Mesh>("shape")) / pi);
 }
 
 /// What is given for the component, or for all.
@@ -42,9 +43,9 @@ Vec3 rotation_of(const Params& params, const Params& component) {
 
 std::vector<Prototype> prototypes_of(const Params& component, std::uint64_t seed) {
     Prototype prototype;
-    prototype.mesh = component.mesh("shape");
+    prototype.mesh = component.object<Mesh>("shape");
     prototype.name = prototype.mesh->name;
-    prototype.material = component.material("material");
+    prototype.material = component.object<Material>("material");
     if (!component.has("variation"))
         return {prototype};
     const Params& given = component.record("variation");

@@ -3,7 +3,7 @@
 
 #include "core/parallel.h"
 #include "core/random.h"
-#include "generators/sampling/surface_disks.h"
+#include "geometry/sampling/surface_disks.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "core/context.h"
 #include "generators/pile/orientation_flow.h"
-#include "generators/pile/pile_kind.h"
+#include "geometry/bodies/pile_kind.h"
 
 #include <span>
 

@@ -6,7 +6,7 @@
 namespace scree {
 
 void check_closed_target(const Params& params, const char* for_what) {
-    const MeshFacts facts = inspect(*params.mesh("target"));
+    const MeshFacts facts = inspect(*params.object<Mesh>("target"));
     if (!facts.closed())
         throw params.error(
             "target",

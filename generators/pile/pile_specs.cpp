@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/pile/pile_specs.h"
 
+#include "model/material.h"
+
 #include "generators/pile/orientation_flow.h"
 
 namespace scree {
@@ -77,13 +79,11 @@ ParamSpec own(ParamSpec spec) {
 std::vector<ParamSpec> component_specs() {
     return {
         {.name = "shape",
-         .type = ParamType::mesh,
+         .type = ParamType::object,
+         .families = {"mesh"},
          .doc = "What is piled: a closed mesh, or a sheet. Its y axis points outwards before it is "
                 "turned."},
-        {.name = "material",
-         .type = ParamType::material,
-         .doc = "Its material.",
-         .fallback = MaterialId{}},
+        material_spec("Its material"),
         {.name = "weight",
          .type = ParamType::number,
          .doc = "How often it is tried, relative to the others, as long as all have sites left.",
@@ -132,7 +132,10 @@ std::vector<ParamSpec> cut_specs() {
 
 std::vector<ParamSpec> pile_specs() {
     return {
-        {.name = "target", .type = ParamType::mesh, .doc = "The shape whose surface is covered."},
+        {.name = "target",
+         .type = ParamType::object,
+         .families = {"mesh"},
+         .doc = "The shape whose surface is covered."},
         {.name = "position",
          .type = ParamType::vector3,
          .doc = "Where the target's origin stands.",
@@ -213,8 +216,9 @@ std::vector<ParamSpec> pile_specs() {
          .max = 1000.0},
         {.name = "settle_turn",
          .type = ParamType::number,
-         .doc = "By how much it may turn then; unless given, 30 with frame = \"surface\", otherwise "
-                "not at all.",
+         .doc =
+             "By how much it may turn then; unless given, 30 with frame = \"surface\", otherwise "
+             "not at all.",
          .unit = "deg",
          .optional = true,
          .min = 0.0,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/pile/pile_support.h"
 
-#include "generators/pile/support.h"
+#include "geometry/bodies/support.h"
 
 #include <algorithm>
 
@@ -27,7 +27,7 @@ void check_support(Pile& pile, const Params& params, Facts& facts) {
     const std::string& support = params.text("support");
     if (support == "none" || pile.all.empty())
         return;
-    const std::shared_ptr<const Mesh> target = params.mesh("target");
+    const std::shared_ptr<const Mesh> target = params.object<Mesh>("target");
     ContactSettings settings{.tolerance = params.number("contact")};
     if (params.flag("adhesive"))
         settings.adhesive = target.get();

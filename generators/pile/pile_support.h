@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/params.h"
-#include "generators/pile/advance.h"
+#include "geometry/bodies/advance.h"
 
 namespace scree {
 

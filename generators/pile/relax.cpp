@@ -2,8 +2,8 @@
 #include "generators/pile/relax.h"
 
 #include "core/parallel.h"
-#include "generators/pile/push_apart.h"
 #include "generators/pile/relax_sites.h"
+#include "geometry/bodies/push_apart.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generators/pile/insertion.h"
+#include "geometry/bodies/insertion.h"
 
 namespace scree {
 

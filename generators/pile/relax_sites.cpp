@@ -2,8 +2,8 @@
 #include "generators/pile/relax_sites.h"
 
 #include "core/random.h"
-#include "generators/pile/offset_shells.h"
-#include "generators/sampling/surface_disks.h"
+#include "geometry/mesh/offset_shells.h"
+#include "geometry/sampling/surface_disks.h"
 
 #include <algorithm>
 

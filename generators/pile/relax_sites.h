@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "generators/pile/mass_properties.h"
 #include "generators/pile/relax.h"
+#include "geometry/bodies/mass_properties.h"
 
 namespace scree {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/field.h"
-#include "core/mesh.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/plane/field.h"
 
 namespace scree {
 

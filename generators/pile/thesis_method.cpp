@@ -2,9 +2,9 @@
 #include "generators/pile/thesis_method.h"
 
 #include "core/parallel.h"
-#include "generators/pile/corner_depth.h"
-#include "generators/pile/dependency_levels.h"
-#include "generators/pile/golden_section.h"
+#include "geometry/bodies/corner_depth.h"
+#include "geometry/bodies/dependency_levels.h"
+#include "geometry/bodies/golden_section.h"
 
 #include <algorithm>
 #include <numeric>

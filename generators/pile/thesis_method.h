@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/context.h"
-#include "generators/pile/advance.h"
+#include "geometry/bodies/advance.h"
 
 #include <optional>
 

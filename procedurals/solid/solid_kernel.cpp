@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device.h"
-#include "procedurals/solid/lattice_source.h"
+#include "procedurals/solid/lattice/lattice_source.h"
 #include "procedurals/solid/solid_procedural.h"
 #include "procedurals/solid/solid_source.h"
 

@@ -3,8 +3,8 @@
 // there or on an OpenCL device for baking.
 #pragma once
 
-#include "core/procedural.h"
-#include "procedurals/solid/fractal_lattice.h"
+#include "model/procedural.h"
+#include "procedurals/solid/lattice/fractal_lattice.h"
 #include "procedurals/solid/solid_text.h"
 
 namespace scree {

@@ -4,7 +4,7 @@
 
 #include "core/params.h"
 #include "procedurals/reflectance.h"
-#include "procedurals/solid/fractal_lattice.h"
+#include "procedurals/solid/lattice/fractal_lattice.h"
 #include "procedurals/solid/solid_text.h"
 
 namespace scree {

@@ -2,7 +2,6 @@
 #include "scenes/reader/check_value.h"
 
 #include "core/file.h"
-#include "generators/fields/plain_fields.h"
 #include "scenes/reader/words.h"
 
 #include <algorithm>
@@ -105,11 +104,11 @@ class Checker {
         return fine(*number) ? Value(to_internal(*number)) : Value();
     }
 
-    Value constant_field() { // whose values stay in the unit of scripts
+    Value constant_field() { // whose value stays in the unit of scripts
         const std::optional<double> number = as_number(given_.value);
         if (!number)
             return wrong_type();
-        return fine(*number) ? Value(std::make_shared<const ConstantField>(*number)) : Value();
+        return fine(*number) ? Value(*number) : Value();
     }
 
     Value integer() {
@@ -174,6 +173,8 @@ class Checker {
     }
 
     Value vector3() {
+        if (const std::optional<double> all = as_number(given_.value); all && spec_.uniform)
+            return fine(*all) ? Value(Vec3(static_cast<float>(to_internal(*all)))) : Value();
         const std::vector<double> n = numbers(given_.value, 3);
         if (n.empty())
             return {};
@@ -247,30 +248,6 @@ bool in_range(double number, const ParamSpec& spec) {
 
 Value check_value(const Given& given, const ParamSpec& spec, Mistakes& mistakes) {
     return Checker(given, spec, mistakes).check();
-}
-
-Value default_value(const ParamSpec& spec) {
-    const Value& given = spec.fallback;
-    const auto* integer = std::get_if<std::int64_t>(&given);
-    const auto* number = std::get_if<double>(&given);
-    switch (spec.type) {
-    case ParamType::number:
-        return integer != nullptr ? Value(static_cast<double>(*integer)) : given;
-    case ParamType::integer:
-        return number != nullptr ? Value(static_cast<std::int64_t>(*number)) : given;
-    case ParamType::texture:
-        if (const auto* color = std::get_if<Color>(&given))
-            return Texture{*color, nullptr};
-        return given;
-    case ParamType::range:
-        return number != nullptr ? Value(Range{*number, *number}) : given;
-    case ParamType::field:
-        if (number != nullptr)
-            return std::make_shared<const ConstantField>(*number);
-        return given;
-    default:
-        return given;
-    }
 }
 
 } // namespace scree

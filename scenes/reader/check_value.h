@@ -22,7 +22,4 @@ bool in_range(double number, const ParamSpec& spec);
 /// that stand for themselves, not for meshes, records and the like.
 Value check_value(const Given& given, const ParamSpec& spec, Mistakes& mistakes);
 
-/// A declaration's default as the value of its type.
-Value default_value(const ParamSpec& spec);
-
 } // namespace scree

@@ -3,7 +3,7 @@
 #include "scenes/reader/sandbox.h"
 
 #include "core/file.h"
-#include "scenes/reader/plugins.h"
+#include "geometry/plane/field.h"
 
 #include <charconv>
 #include <cmath>
@@ -129,16 +129,23 @@ int make_constructor(lua_State* state) {
     return 1;
 }
 
-// Samples along the longer side of a field.function, as declared: usual, least, most.
+// Samples along the longer side of a field.function: usual, least, most.
 int function_samples(lua_State* state) {
-    for (const ParamSpec& spec : tables().field.find("function")->params) {
-        if (spec.name != "resolution")
-            continue;
-        lua_pushinteger(state, std::get<std::int64_t>(spec.fallback));
-        lua_pushnumber(state, spec.min.value());
-        lua_pushnumber(state, spec.max.value());
-    }
+    lua_pushinteger(state, FunctionSamples::usual);
+    lua_pushinteger(state, FunctionSamples::least);
+    lua_pushinteger(state, FunctionSamples::most);
     return 3;
+}
+
+// The list of the families whose members are constructors.
+int families(lua_State* state) {
+    const std::vector<std::string>& names = Sandbox::of(state).families();
+    lua_createtable(state, static_cast<int>(names.size()), 0);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        lua_pushlstring(state, names[i].data(), names[i].size());
+        lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
+    }
+    return 1;
 }
 
 // nearest(prefix, name, {names}) -> "\n  did you mean math.floor?" or ""
@@ -326,6 +333,7 @@ void add_scene_functions(lua_State* state) {
     lua_register(state, "scree_constructor", make_constructor);
     lua_register(state, "scree_nearest", guarded<nearest>);
     lua_register(state, "scree_samples", function_samples);
+    lua_register(state, "scree_families", families);
     lua_register(state, "arg", guarded<arg>);
     lua_register(state, "include", include);
     lua_register(state, "srgb", guarded<srgb>);

@@ -34,11 +34,13 @@ struct Description {
     Data data;
 };
 
-/// Runs a .lua scene script in a sandboxed child process, or reads a .json description.
-/// `overrides` are the values of --set; an override that no arg(...) asks for is an error.
+/// Runs a .lua scene script in a sandboxed child process, or reads a .json description. A script
+/// knows the constructors of `families`, "mesh" and so on, as Catalog::constructor_families()
+/// lists. `overrides` are the values of --set; an override that no arg(...) asks for is an error.
 /// Throws Error with every mistake found.
 DescriptionNode read_description(const std::string& path,
-                                 const std::map<std::string, std::string>& overrides);
+                                 const std::map<std::string, std::string>& overrides,
+                                 const std::vector<std::string>& families);
 
 /// How to_json writes. Without locations the text depends on the scene alone, not on where its
 /// lines stand.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenes/reader/maker.h"
 
+#include "core/located.h"
+#include "geometry/plane/field.h"
 #include "scenes/reader/words.h"
 
 #include <fmt/format.h>
@@ -14,6 +16,11 @@ namespace {
 
 using List = Description::List;
 using Table = Description::Table;
+
+// "mesh" of "mesh.banana".
+std::string_view family_of(const Description& node) {
+    return std::string_view(node.kind).substr(0, node.kind.find('.'));
+}
 
 // {} is a table as well as a list.
 bool is_table(const Description& value) {
@@ -79,16 +86,12 @@ Value Maker::absent(const Description& table, const std::string& path, const Par
 
 Value Maker::value(const Given& given, const ParamSpec& spec) {
     switch (spec.type) {
-    case ParamType::texture:
-        return texture(given, spec);
-    case ParamType::material:
-        return material(given);
-    case ParamType::mesh:
-    case ParamType::region:
-    case ParamType::shape:
-        return shape(given, spec);
+    case ParamType::object:
+        return object(given, spec);
     case ParamType::field:
         return field(given, spec);
+    case ParamType::texture:
+        return texture(given, spec);
     case ParamType::record:
         return record(given, spec);
     case ParamType::list:
@@ -104,91 +107,94 @@ Value Maker::wrong_kind(const Given& given, const ParamSpec& spec) {
     return {};
 }
 
-Value Maker::texture(const Given& given, const ParamSpec& spec) {
-    if (family_of(given.value) == "procedural") {
-        const auto made = shared(procedurals_, tables().procedural, given);
-        return made == nullptr ? Value() : Value(Texture{Color(0.0F), made});
+const Plugin<MakeObject>* Maker::plugin(const Given& given, const Registry<MakeObject>& family) {
+    const std::string& kind = given.value.kind;
+    const std::size_t dot = kind.find('.');
+    const std::string name = dot == std::string::npos ? kind : kind.substr(dot + 1);
+    if (const Plugin<MakeObject>* found = family.find(name))
+        return found;
+    std::vector<std::string> names;
+    for (const Plugin<MakeObject>& known : family.plugins())
+        names.push_back(known.name);
+    const std::string near = nearest_name(name, names);
+    mistakes_.add(given.value.where, kind, "unknown " + family.family(),
+                  near.empty() ? fmt::format("there are: {}", fmt::join(names, ", "))
+                               : "did you mean " + family.family() + "." + near + "?");
+    return nullptr;
+}
+
+SharedObject Maker::make(const Given& given, const Registry<MakeObject>& family) {
+    const Plugin<MakeObject>* found = plugin(given, family);
+    if (found == nullptr)
+        return {};
+    const std::size_t before = mistakes_.count();
+    const Params checked = params(given.value, given.value.kind, found->params);
+    if (mistakes_.count() != before)
+        return {};
+    try {
+        return located(checked, [&] { return found->make(checked); });
+    } catch (const Error& error) {
+        if (error.fault() != Fault::input)
+            throw;
+        mistakes_.add(error);
+        return {};
     }
-    if (!given.value.kind.empty())
+}
+
+Value Maker::made(const Given& given, const Registry<MakeObject>& family) {
+    const auto [known, first] = made_.try_emplace(&given.value);
+    if (first) {
+        const SharedObject object = make(given, family); // which may make others
+        made_[&given.value] = object;
+        return object ? Value(object) : Value();
+    }
+    if (!known->second)
+        mistakes_.add_repeated();
+    return known->second ? Value(known->second) : Value();
+}
+
+Value Maker::object(const Given& given, const ParamSpec& spec) {
+    const std::string_view name = family_of(given.value);
+    const Registry<MakeObject>* family = catalog_.find(name);
+    if (family == nullptr ||
+        std::find(spec.families.begin(), spec.families.end(), name) == spec.families.end())
+        return wrong_kind(given, spec);
+    return made(given, *family);
+}
+
+Value Maker::texture(const Given& given, const ParamSpec& spec) {
+    if (const std::string_view name = family_of(given.value); name == "procedural")
+        return made(given, *catalog_.find(name));
+    const Description& value = given.value;
+    // The message for a wrong type must offer procedurals too.
+    if (!value.kind.empty() ||
+        !(std::holds_alternative<List>(value.data) || std::holds_alternative<double>(value.data) ||
+          std::holds_alternative<std::int64_t>(value.data)))
         return wrong_kind(given, spec);
     ParamSpec color = spec;
     color.type = ParamType::color;
-    const std::size_t before = mistakes_.count();
-    const Description& value = given.value;
-    // The message for a wrong type must offer procedurals too.
-    if (!std::holds_alternative<List>(value.data) && !std::holds_alternative<double>(value.data) &&
-        !std::holds_alternative<std::int64_t>(value.data))
-        return wrong_kind(given, spec);
-    const Value checked = check_value(given, color, mistakes_);
-    return mistakes_.count() != before ? Value()
-                                       : Value(Texture{std::get<Color>(checked), nullptr});
-}
-
-Value Maker::material(const Given& given) {
-    if (family_of(given.value) != "material")
-        return wrong_kind(given, {.name = {}, .type = ParamType::material});
-    const auto known = material_ids_.find(&given.value);
-    if (known != material_ids_.end())
-        return known->second;
-    MaterialId id;
-    if (std::optional<Material> made = make<Material>(tables().material, given)) {
-        id.index = static_cast<std::uint32_t>(materials_.size());
-        materials_.push_back(std::move(*made));
-    }
-    material_ids_[&given.value] = id;
-    return id;
-}
-
-template <class T, class Make>
-std::shared_ptr<const T> Maker::shared(Made<std::shared_ptr<const T>>& made,
-                                       const Registry<Make>& table, const Given& given) {
-    const auto known = made.find(&given.value);
-    if (known != made.end()) {
-        if (known->second == nullptr)
-            mistakes_.add_repeated();
-        return known->second;
-    }
-    std::shared_ptr<const T> out;
-    if constexpr (std::is_abstract_v<T>) {
-        out = make<std::shared_ptr<const T>>(table, given).value_or(nullptr);
-    } else {
-        if (std::optional<T> value = make<T>(table, given))
-            out = std::make_shared<const T>(std::move(*value));
-    }
-    return made[&given.value] = out;
-}
-
-Value Maker::shape(const Given& given, const ParamSpec& spec) {
-    const std::string_view family = family_of(given.value);
-    if (family == "mesh" && spec.type != ParamType::region) {
-        const auto made = shared(meshes_, tables().mesh, given);
-        return made == nullptr ? Value() : Value(made);
-    }
-    if (family == "region" && spec.type != ParamType::mesh) {
-        const auto made = shared(regions_, tables().region, given);
-        return made == nullptr ? Value() : Value(made);
-    }
-    return wrong_kind(given, spec);
+    return check_value(given, color, mistakes_);
 }
 
 Value Maker::field(const Given& given, const ParamSpec& spec) {
-    if (family_of(given.value) == "field") {
-        const auto made = shared(fields_, tables().field, given);
-        if (made == nullptr)
-            return {};
+    const std::string_view name = family_of(given.value);
+    if (name != "field")
+        return check_value(given, spec, mistakes_);
+    const Value value = made(given, *catalog_.find(name));
+    if (const auto* object = std::get_if<SharedObject>(&value)) {
+        const auto field = object->as<Field>();
         // Any angle is as good as another; other values must be in range wherever one looks.
         constexpr double everywhere = 1e9;
-        const Range range = made->over(Box2(Vec2(-everywhere), Vec2(everywhere)));
-        if (made->period() == 0 && !(in_range(range.low, spec) && in_range(range.high, spec))) {
+        const Range range = field->over(Box2(Vec2(-everywhere), Vec2(everywhere)));
+        if (field->period() == 0 && !(in_range(range.low, spec) && in_range(range.high, spec))) {
             mistakes_.add(given.where, given.path,
                           fmt::format("this {} has values from {} to {}; expected {}",
                                       given.value.kind, range.low, in_words(range.high, spec.unit),
                                       limits_in_words(spec)));
             return {};
         }
-        return made;
     }
-    return check_value(given, spec, mistakes_);
+    return value;
 }
 
 Value Maker::record(const Given& given, const ParamSpec& spec) {
@@ -199,22 +205,17 @@ Value Maker::record(const Given& given, const ParamSpec& spec) {
     return std::make_shared<const std::vector<Params>>(std::move(one));
 }
 
-const Description::List* Maker::list(const Given& given, const std::string& expected) {
-    static const List none;
-    if (given.value.kind.empty() && is_table(given.value) && fields_of(given.value).empty())
-        return &none;
-    const auto* items = given.value.kind.empty() ? std::get_if<List>(&given.value.data) : nullptr;
-    if (items == nullptr)
-        mistakes_.add(given.where, given.path,
-                      fmt::format("expected {}, got {}", expected, in_words(given.value)));
-    return items;
-}
-
 Value Maker::records(const Given& given, const ParamSpec& spec) {
-    const List* items = list(given, "a list of tables");
+    static const List none;
+    const bool plain = given.value.kind.empty();
+    const List* items = plain ? std::get_if<List>(&given.value.data) : nullptr;
+    if (plain && is_table(given.value) && fields_of(given.value).empty())
+        items = &none;
     if (items == nullptr)
-        return {};
-    if (spec.min_items && items->size() < *spec.min_items)
+        return wrong_kind(given, spec);
+    if (spec.min_items && items->empty() && is_object_list(spec))
+        mistakes_.add(given.where, given.path, "is empty; expected " + type_in_words(spec));
+    else if (spec.min_items && items->size() < *spec.min_items)
         mistakes_.add(given.where, given.path,
                       fmt::format("expected at least {} item{}, got {}", *spec.min_items,
                                   *spec.min_items == 1 ? "" : "s", items->size()));

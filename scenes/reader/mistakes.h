@@ -16,15 +16,9 @@ class Mistakes {
             {std::move(where), std::move(path), std::move(message), std::move(hint)});
     }
 
-    /// Takes over what a plug-in found; it may not know where its values were written.
-    void add(const Error& error, const Location& where, const std::string& path) {
-        for (Diagnostic d : error.diagnostics()) {
-            if (d.where.file.empty())
-                d.where = where;
-            if (d.path.empty())
-                d.path = path;
-            diagnostics_.push_back(std::move(d));
-        }
+    void add(const Error& error) {
+        diagnostics_.insert(diagnostics_.end(), error.diagnostics().begin(),
+                            error.diagnostics().end());
     }
 
     /// Something was used again that could not be made: its own mistakes are known already.

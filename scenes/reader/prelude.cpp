@@ -223,8 +223,7 @@ local function sample(field)
 end
 
 -- Constructors: any name of a family, so that a misspelt one is reported with all other mistakes.
-for _, family in next, { "mesh", "curve", "region", "field", "generator", "procedural", "material",
-                         "light", "camera" } do
+for _, family in next, scree_families() do
   _G[family] = setmetatable({}, {
     __index = function(made, name)
       if type(name) ~= "string" then
@@ -255,7 +254,7 @@ for _, name in next, forbidden do
   is_forbidden[name] = true
 end
 string.dump = nil
-scree_constructor, scree_nearest, scree_samples = nil, nil, nil
+scree_constructor, scree_nearest, scree_samples, scree_families = nil, nil, nil, nil
 
 local function strict(library, prefix)
   setmetatable(library, {

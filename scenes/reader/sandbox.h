@@ -53,6 +53,8 @@ class Sandbox {
     /// Pushes the compiled script; throws Error when it cannot be read or is not Lua.
     void load(lua_State* state, const std::string& path);
 
+    const std::vector<std::string>& families() const { return options_.families; }
+
     /// The value of --set for `name`, or null. Remembers that the script asked.
     const std::string* override_of(const std::string& name);
 

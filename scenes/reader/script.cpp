@@ -107,9 +107,10 @@ DescriptionNode run_script(const std::string& path, const ScriptOptions& options
 }
 
 DescriptionNode read_description(const std::string& path,
-                                 const std::map<std::string, std::string>& overrides) {
+                                 const std::map<std::string, std::string>& overrides,
+                                 const std::vector<std::string>& families) {
     if (extension(path) != "json")
-        return run_script(path, {.overrides = overrides});
+        return run_script(path, {.families = families, .overrides = overrides});
     if (!overrides.empty())
         throw Error(Diagnostic{{path, 0},
                                "--set " + overrides.begin()->first,

@@ -16,6 +16,7 @@ struct ScriptLimits {
 };
 
 struct ScriptOptions {
+    std::vector<std::string> families{};            // "mesh", ...: what constructors belong to
     std::map<std::string, std::string> overrides{}; // of --set, by name
     ScriptLimits limits{};
     std::function<void(std::string_view)> print{}; // gets what print(...) says; empty: stderr

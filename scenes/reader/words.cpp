@@ -92,22 +92,18 @@ std::string type_in_words(const ParamSpec& spec) {
         return "{low, high} or a number";
     case ParamType::points:
         return "a list of {x, z}";
-    case ParamType::mesh:
-        return "a mesh.*";
-    case ParamType::region:
-        return "a region.*";
-    case ParamType::field:
-        return "a field.* or a number";
     case ParamType::function:
         return "a function(x, z)";
-    case ParamType::shape:
-        return "a mesh.* or region.*";
-    case ParamType::material:
-        return "a material.*";
+    case ParamType::object:
+        return "a " + kinds_in_words(spec.families, " or ");
+    case ParamType::field:
+        return "a field.* or a number";
     case ParamType::record:
         return "a table with named fields";
     case ParamType::list:
-        return "a list";
+        return is_object_list(spec)
+                   ? "a list of " + kinds_in_words(spec.fields.front().families, " and ")
+                   : "a list of tables";
     }
     return {};
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program as a user meets it: exit codes, messages, files, and the same bytes on any threads.
 #include "core/file.h"
-#include "core/height_field.h"
 #include "core/image.h"
+#include "geometry/plane/height_field.h"
 #include "tests/cli/cli_fixture.h"
 
 #include <gtest/gtest.h>

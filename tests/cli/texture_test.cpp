@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `scree texture`: what it writes, what it says, and that a baked texture looks like what it is of.
 #include "core/display_encoding.h"
-#include "core/height_field.h"
 #include "core/image.h"
+#include "geometry/plane/height_field.h"
 #include "tests/cli/cli_fixture.h"
 
 #include <nlohmann/json.hpp>

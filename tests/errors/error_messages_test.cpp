@@ -5,6 +5,7 @@
 #include "core/file.h"
 #include "scenes/reader/scene.h"
 #include "scenes/reader/script.h"
+#include "session/catalog.h"
 
 #include <gtest/gtest.h>
 
@@ -52,12 +53,14 @@ ScriptOptions options_of(const std::string& script) {
 
 std::string message_of(const std::string& name) {
     try {
-        const ScriptOptions options = options_of(read_file(name));
-        const DescriptionNode root = name.ends_with(".json")
-                                         ? read_description(name, options.overrides)
-                                         : run_script(name, options);
-        for (const SceneItem& item : resolve(root, name).items)
-            item.bake({});
+        static const Catalog catalog = standard_catalog();
+        ScriptOptions options = options_of(read_file(name));
+        options.families = catalog.constructor_families();
+        const DescriptionNode root =
+            name.ends_with(".json") ? read_description(name, options.overrides, options.families)
+                                    : run_script(name, options);
+        for (const auto& item : resolve(root, name, catalog).items)
+            item->bake({}, 0);
     } catch (const Error& error) {
         std::string text = std::string(error.what()) + "\n";
         const std::string here = fs::current_path().string() + "/";

@@ -2,7 +2,7 @@
 // Whether disks cover a domain, decided in exact arithmetic.
 #pragma once
 
-#include "core/region.h"
+#include "geometry/plane/region.h"
 
 #include <vector>
 

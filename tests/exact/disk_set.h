@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/box_grid.h"
-#include "generators/sampling/poisson_disk.h"
+#include "geometry/sampling/poisson_disk.h"
 
 #include <array>
 

@@ -4,7 +4,7 @@
 #include "core/random.h"
 #include "fabrication/cell_surface.h"
 #include "fabrication/fabricate.h"
-#include "tests/fabrication_parts.h"
+#include "tests/support/fabrication_parts.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

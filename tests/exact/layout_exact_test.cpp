@@ -2,9 +2,9 @@
 // No two regions overlap and none leaves the domain, by CGAL's exact predicates on the regions as
 // an instance's matrix places them: nothing of the generator's own tests is used.
 #include "core/random.h"
-#include "generators/sampling/region_shapes.h"
-#include "generators/sampling/region_tools.h"
-#include "tests/layout_params.h"
+#include "geometry/plane/region_shapes.h"
+#include "geometry/plane/region_tools.h"
+#include "tests/support/layout_params.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

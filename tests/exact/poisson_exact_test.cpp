@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Poisson-disk sets are free of conflicts and leave no room for another sample: by exact arithmetic
 // where all axes are equal, by dense probing where they are not.
-#include "generators/fields/grid_field.h"
-#include "tests/disk_problems.h"
+#include "shapes/field/grid_field.h"
 #include "tests/exact/coverage.h"
 #include "tests/exact/insertion.h"
+#include "tests/support/disk_problems.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small valid mesh files, damaged in thousands of ways that are the same on every run: each must
 // either read or be refused with an Error, in bounded time.
-#include "tests/fuzz/damaged.h"
 #include "tests/fuzz/mesh_seeds.h"
+#include "tests/support/damaged.h"
 
 #include "core/error.h"
 #include "core/file.h"
-#include "core/mesh.h"
 #include "core/random.h"
+#include "geometry/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 

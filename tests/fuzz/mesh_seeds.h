@@ -2,7 +2,7 @@
 // A small valid file of every kind that mesh.file reads, and its reader.
 #pragma once
 
-#include "core/mesh.h"
+#include "geometry/mesh/mesh.h"
 
 #include <functional>
 #include <string>

@@ -4,8 +4,8 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
-#include "generators/svg/svg_document.h"
-#include "tests/fuzz/damaged.h"
+#include "geometry/plane/svg/svg_document.h"
+#include "tests/support/damaged.h"
 
 #include <gtest/gtest.h>
 

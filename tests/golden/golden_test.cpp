@@ -3,12 +3,10 @@
 // finds a bias that the eye would miss and lets noise pass: blocks of pixels are z-tested with
 // Sidak's correction for their number. A failed picture is left beside the build to look at.
 // To make references anew after a wanted change: SCREE_MAKE_GOLDEN=1 ./golden_tests
-#include "core/device.h"
 #include "core/file.h"
 #include "core/image.h"
-#include "render/color.h"
-#include "render/render.h"
-#include "scenes/reader/scene.h"
+#include "render/film/color.h"
+#include "session/render_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -23,19 +21,12 @@ constexpr int block = 8;              // pixels; a mean of 64 pixels is close to
 constexpr double significance = 1e-3; // of one picture
 
 std::vector<ImagePart> render_parts(const std::string& script, int samples, std::uint64_t seed) {
-    const Scene scene = resolve(read_description(script, {}), script);
-    Device device;
-    Context context;
-    context.device = &device;
-    std::vector<Aggregate> aggregates;
-    for (const SceneItem& item : scene.items)
-        aggregates.push_back(item.bake(context));
-    const World world(aggregates, scene.lights);
+    Session session({.path = script});
+    const Scene scene = session.bake(session.load());
     RenderOptions options;
     options.samples = samples;
     options.seed = seed;
-    const RenderResult result =
-        render(world, {scene.materials, scene.lights, *scene.camera, scene.film}, options);
+    const RenderResult result = render_scene(session, scene, options).result;
     EXPECT_EQ(result.stats.invalid_samples, 0U);
     std::vector<ImagePart> parts = result.film.parts();
     std::erase_if(parts, [](const ImagePart& part) {

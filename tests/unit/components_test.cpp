@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generators/sampling/region_shapes.h"
-#include "generators/sampling/region_tools.h"
-#include "generators/table.h"
+#include "geometry/plane/region_shapes.h"
+#include "geometry/plane/region_tools.h"
+#include "shapes/table.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 
@@ -13,18 +14,10 @@
 namespace scree {
 namespace {
 
-Params defaults(const Plugin<MakeMesh>& plugin) {
-    Params params("mesh." + plugin.name, {});
-    for (const ParamSpec& spec : plugin.params)
-        if (!std::holds_alternative<std::monostate>(spec.fallback))
-            params.set(spec.name, spec.fallback);
-    return params;
-}
-
 Mesh make(const std::string& name, const std::vector<std::pair<std::string, Value>>& values = {}) {
     const auto table = component_table();
     const Plugin<MakeMesh>& plugin = *table.find(name);
-    Params params = defaults(plugin);
+    Params params = tests::defaults(plugin.params, "mesh." + plugin.name);
     for (const auto& [key, value] : values)
         params.set(key, value);
     return plugin.make(params);
@@ -123,7 +116,7 @@ TEST(Components, AreSoundAtTheirDefaults) {
     const auto table = component_table();
     EXPECT_GE(table.plugins().size(), 20U);
     for (const Plugin<MakeMesh>& plugin : table.plugins()) {
-        const Mesh mesh = plugin.make(defaults(plugin));
+        const Mesh mesh = plugin.make(tests::defaults(plugin.params, "mesh." + plugin.name));
         expect_sound(mesh, plugin.name);
         EXPECT_EQ(mesh.name, plugin.name);
         EXPECT_LT(mesh.triangles.size(), 25000U) << plugin.name;
@@ -152,7 +145,7 @@ TEST(Components, AreSoundAtExtremes) {
                                      : Value(inside));
             }
             for (const Value& value : values) {
-                Params params = defaults(plugin);
+                Params params = tests::defaults(plugin.params, "mesh." + plugin.name);
                 params.set(spec.name, value);
                 const std::string what =
                     plugin.name + "." + spec.name + " " + std::to_string(&value - values.data());
@@ -191,8 +184,8 @@ TEST(Components, SizesScaleTheWholeShape) {
 TEST(Components, TheSameParametersGiveTheSameBytes) {
     const auto table = component_table();
     for (const Plugin<MakeMesh>& plugin : table.plugins()) {
-        const Mesh a = plugin.make(defaults(plugin));
-        const Mesh b = plugin.make(defaults(plugin));
+        const Mesh a = plugin.make(tests::defaults(plugin.params, "mesh." + plugin.name));
+        const Mesh b = plugin.make(tests::defaults(plugin.params, "mesh." + plugin.name));
         ASSERT_EQ(a.positions.size(), b.positions.size());
         EXPECT_EQ(a.triangles, b.triangles) << plugin.name;
         EXPECT_EQ(
@@ -387,11 +380,12 @@ TEST(Components, ContradictionsAreNamed) {
         }
         return std::string();
     };
-    EXPECT_EQ(message("torus", "tube", 0.05), "mesh.torus.tube: must be less than the radius");
+    EXPECT_EQ(message("torus", "tube", 0.05),
+              "scene.lua:7: mesh.torus.tube: must be less than the radius");
     EXPECT_EQ(message("letter", "letter", std::string("?")),
-              "mesh.letter.letter: \"?\" is not one of A to Z, 0 to 9, . and -");
+              "scene.lua:7: mesh.letter.letter: \"?\" is not one of A to Z, 0 to 9, . and -");
     EXPECT_EQ(message("bolt", "pitch", 1e-4),
-              "mesh.bolt.pitch: the thread would have more than 200 turns");
+              "scene.lua:7: mesh.bolt.pitch: the thread would have more than 200 turns");
 }
 
 // The crests of a right-handed thread rise to the right when seen from outside.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "core/file.h"
-#include "core/mesh.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "core/region.h"
 #include "core/registry.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/plane/region.h"
 
 #include <gtest/gtest.h>
 

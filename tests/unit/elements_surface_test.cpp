@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/elements/elements_generator.h"
-#include "generators/sampling/region_shapes.h"
-#include "generators/sampling/region_tools.h"
-#include "tests/layout_params.h"
-#include "tests/plugin_params.h"
+#include "geometry/plane/region_shapes.h"
+#include "geometry/plane/region_tools.h"
+#include "shapes/table.h"
+#include "tests/support/layout_params.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/ground_plane.h"
 #include "core/parallel.h"
 #include "generators/elements/class_sizes.h"
 #include "generators/elements/elements_generator.h"
 #include "generators/elements/exclusive_ellipse.h"
-#include "generators/fields/plain_fields.h"
-#include "generators/sampling/poisson_disk.h"
-#include "generators/sampling/region_shapes.h"
-#include "generators/sampling/region_tools.h"
-#include "tests/layout_params.h"
+#include "geometry/plane/ground_plane.h"
+#include "geometry/plane/region_shapes.h"
+#include "geometry/plane/region_tools.h"
+#include "geometry/sampling/poisson_disk.h"
+#include "shapes/field/plain_fields.h"
+#include "tests/support/layout_params.h"
 
 #include <gtest/gtest.h>
 
@@ -276,7 +276,7 @@ TEST(Elements, StayWholeInsideOrWrapRound) {
     Params params = elements(circle_ring(1, 64), {component(rectangle_ring(0.2, 0.1))});
     params.set("rotation", Range{0, 2 * pi});
     params.set("inside", std::string("whole"));
-    const Region domain = *params.region("domain");
+    const Region domain = *params.object<Region>("domain");
     const Aggregate inside = bake(params);
     EXPECT_GT(inside.instances.size(), 20U);
     for (const Instance& instance : inside.instances) {

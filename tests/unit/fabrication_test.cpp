@@ -7,7 +7,7 @@
 #include "formats/read_mesh.h"
 #include "formats/write_3mf.h"
 #include "formats/write_stl.h"
-#include "tests/fabrication_parts.h"
+#include "tests/support/fabrication_parts.h"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,11 @@
 #include "core/error.h"
 #include "core/image.h"
 #include "core/random.h"
-#include "generators/fields/grid_field.h"
-#include "generators/fields/plain_fields.h"
-#include "generators/fields/sampled_function.h"
-#include "generators/table.h"
-#include "tests/plugin_params.h"
+#include "shapes/field/grid_field.h"
+#include "shapes/field/plain_fields.h"
+#include "shapes/field/sampled_function.h"
+#include "shapes/table.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "core/file.h"
-#include "core/height_field.h"
 #include "core/random.h"
+#include "geometry/plane/height_field.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include "core/error.h"
 #include "core/image.h"
 #include "core/random.h"
-#include "generators/sampling/image_outline.h"
-#include "generators/sampling/region_tools.h"
-#include "generators/table.h"
-#include "tests/plugin_params.h"
+#include "geometry/plane/image_outline.h"
+#include "geometry/plane/region_tools.h"
+#include "shapes/table.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 

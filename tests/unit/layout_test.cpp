@@ -2,11 +2,12 @@
 #include "core/parallel.h"
 #include "generators/layout/gap_field.h"
 #include "generators/layout/method.h"
-#include "generators/layout/overlap.h"
 #include "generators/layout/prototypes.h"
-#include "generators/sampling/region_shapes.h"
-#include "generators/sampling/region_tools.h"
-#include "tests/layout_params.h"
+#include "geometry/figures/overlap.h"
+#include "geometry/plane/ground_plane.h"
+#include "geometry/plane/region_shapes.h"
+#include "geometry/plane/region_tools.h"
+#include "tests/support/layout_params.h"
 
 #include <gtest/gtest.h>
 
@@ -80,7 +81,7 @@ TEST(Layout, IsTheSameOnAnyThreadsAndDevice) {
 }
 
 TEST(Layout, MatrixPutsTheRegionsCentreAtThePosition) {
-    const Matrix matrix = world_from_component({2, 3}, {10, 20}, pi / 2, 2, 0.5);
+    const Matrix matrix = world_from_element({2, 3}, {10, 20}, pi / 2, 2, 0.5);
     const Vec3 centre = transform_point(matrix, {2, 0, 3});
     EXPECT_NEAR(double((centre - Vec3(10, 0.5F, 20)).length()), 0, 1e-5);
     // One to the right of it, turned from +x towards +z and twice as far.

@@ -8,7 +8,8 @@
 #include "generators/leather/membrane.h"
 #include "generators/leather/relief.h"
 #include "generators/leather/tile_noise.h"
-#include "tests/layout_params.h"
+#include "shapes/table.h"
+#include "tests/support/layout_params.h"
 
 #include <gtest/gtest.h>
 

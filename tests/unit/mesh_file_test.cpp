@@ -348,8 +348,7 @@ Mesh make(const std::string& path, const std::vector<std::pair<std::string, Valu
     const auto table = mesh_file_table();
     Params params("mesh.file", {"toys.lua", 3});
     for (const ParamSpec& spec : table.plugins().front().params)
-        if (!std::holds_alternative<std::monostate>(spec.fallback))
-            params.set(spec.name, spec.fallback);
+        params.set(spec.name, default_value(spec));
     params.set("path", path, {"toys.lua", 4});
     for (const auto& [key, value] : values)
         params.set(key, value);

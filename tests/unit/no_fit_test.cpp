@@ -2,10 +2,10 @@
 // What the search for room is built of, against brute force: convex covers, no-fit polygons of
 // intervals of angles and scales, and what they leave of an area.
 #include "core/random.h"
-#include "generators/layout/convex_cover.h"
 #include "generators/layout/open_area.h"
-#include "generators/sampling/region_shapes.h"
-#include "generators/sampling/region_tools.h"
+#include "geometry/figures/convex_cover.h"
+#include "geometry/plane/region_shapes.h"
+#include "geometry/plane/region_tools.h"
 
 #include <gtest/gtest.h>
 

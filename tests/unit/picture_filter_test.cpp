@@ -2,7 +2,7 @@
 // Pictures put over each other, against brute force.
 #include "core/canvas.h"
 #include "core/random.h"
-#include "tests/unit/picture_test_tools.h"
+#include "tests/support/pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -3,13 +3,13 @@
 #include "core/display_encoding.h"
 #include "core/drawing.h"
 #include "core/drawing_raster.h"
-#include "core/ground_plane.h"
 #include "core/random.h"
 #include "formats/base64.h"
 #include "formats/layout_picture.h"
-#include "generators/sampling/picture_shape.h"
-#include "generators/sampling/region_tools.h"
-#include "tests/unit/picture_test_tools.h"
+#include "geometry/plane/ground_plane.h"
+#include "geometry/plane/picture_shape.h"
+#include "geometry/plane/region_tools.h"
+#include "tests/support/pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "core/display_encoding.h"
 #include "core/drawing.h"
 #include "core/drawing_raster.h"
-#include "tests/unit/picture_test_tools.h"
+#include "tests/support/pictures.h"
 
 #include <gtest/gtest.h>
 

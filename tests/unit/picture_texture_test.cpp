@@ -2,9 +2,10 @@
 // procedural.image, by itself and in the renderer's hits.
 #include "core/random.h"
 #include "procedurals/image.h"
-#include "render/world.h"
-#include "tests/plugin_params.h"
-#include "tests/unit/picture_test_tools.h"
+#include "procedurals/table.h"
+#include "render/world/world.h"
+#include "tests/support/pictures.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "core/random.h"
-#include "tests/unit/pile_test_tools.h"
+#include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "generators/pile/orientation_flow.h"
-#include "tests/unit/pile_test_tools.h"
+#include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generators/pile/pile_kind.h"
-#include "generators/pile/push_apart.h"
-#include "tests/unit/pile_test_tools.h"
+#include "geometry/bodies/pile_kind.h"
+#include "geometry/bodies/push_apart.h"
+#include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
 #include "generators/pile/cover_target.h"
-#include "tests/unit/pile_test_tools.h"
+#include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/pile/fill_solid.h"
-#include "generators/pile/offset_shells.h"
-#include "tests/unit/pile_test_tools.h"
+#include "geometry/mesh/offset_shells.h"
+#include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
 

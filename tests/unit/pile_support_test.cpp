@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/parallel.h"
 #include "core/random.h"
-#include "generators/pile/convex_hull.h"
-#include "generators/pile/support.h"
-#include "generators/pile/target_contact.h"
-#include "tests/unit/pile_test_tools.h"
+#include "geometry/bodies/support.h"
+#include "geometry/bodies/target_contact.h"
+#include "geometry/plane/convex_hull.h"
+#include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include "core/error.h"
 #include "core/random.h"
 #include "generators/pile/cover_target.h"
-#include "generators/pile/mesh_rays.h"
-#include "generators/pile/overlap_measure.h"
-#include "tests/unit/pile_test_tools.h"
+#include "geometry/bodies/overlap_measure.h"
+#include "geometry/mesh/mesh_rays.h"
+#include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
 

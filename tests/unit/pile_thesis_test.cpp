@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
-#include "generators/pile/corner_depth.h"
-#include "generators/pile/dependency_levels.h"
-#include "generators/pile/golden_section.h"
 #include "generators/pile/thesis_method.h"
-#include "tests/unit/pile_test_tools.h"
+#include "geometry/bodies/corner_depth.h"
+#include "geometry/bodies/dependency_levels.h"
+#include "geometry/bodies/golden_section.h"
+#include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "generators/pile/shape_variation.h"
-#include "tests/unit/pile_test_tools.h"
+#include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
 

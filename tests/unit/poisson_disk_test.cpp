@@ -3,7 +3,7 @@
 // probabilities that are known. Conflicts and coverage are tests/exact's.
 #include "core/error.h"
 #include "core/parallel.h"
-#include "tests/disk_problems.h"
+#include "tests/support/disk_problems.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Poisson-disk sets are blue noise: little power below half the frequency of the first peak, and no
 // preferred direction.
 #include "analysis/power_spectrum.h"
-#include "tests/disk_problems.h"
+#include "tests/support/disk_problems.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "procedurals/table.h"
-#include "tests/plugin_params.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 

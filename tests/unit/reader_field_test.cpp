@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields in scripts: functions become samples in the sandbox, and JSON keeps them.
 #include "core/file.h"
+#include "geometry/plane/field.h"
 #include "scenes/reader/json.h"
 #include "scenes/reader/maker.h"
 #include "scenes/reader/script.h"
+#include "session/catalog.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +29,7 @@ class ReaderField : public testing::Test {
         const std::string path = (folder_ / "scene.lua").string();
         write_file(path, script);
         ScriptOptions options;
+        options.families = catalog_.constructor_families();
         options.limits = {.seconds = 1, .memory = std::size_t{64} << 20};
         return run_script(path, options);
     }
@@ -41,10 +44,10 @@ class ReaderField : public testing::Test {
                                             .max = 100.0,
                                             .above_min = true}};
         Mistakes mistakes;
-        Maker maker(mistakes);
+        Maker maker(catalog_, mistakes);
         const Params params = maker.params(*node, "test", specs);
         mistakes.throw_if_any();
-        return params.field("f");
+        return field_of(params, "f");
     }
 
     /// The message of what is wrong with the script or its field, without the folder.
@@ -62,6 +65,7 @@ class ReaderField : public testing::Test {
     }
 
     fs::path folder_;
+    const Catalog catalog_ = standard_catalog();
 };
 
 TEST_F(ReaderField, NumbersAndDefaultsAreConstantFields) {

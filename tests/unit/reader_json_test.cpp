@@ -6,6 +6,7 @@
 #include "scenes/reader/scene.h"
 #include "scenes/reader/script.h"
 #include "scenes/reader/source_map.h"
+#include "session/catalog.h"
 
 #include <gtest/gtest.h>
 
@@ -39,10 +40,19 @@ std::string temporary(const std::string& name) {
     return (fs::path(testing::TempDir()) / (std::to_string(getpid()) + name)).string();
 }
 
+const Catalog& catalog() {
+    static const Catalog standard = standard_catalog();
+    return standard;
+}
+
+ScriptOptions script_options() { return {.families = catalog().constructor_families()}; }
+
+SceneDraft resolved(const DescriptionNode& root) { return resolve(root, "x", catalog()); }
+
 DescriptionNode described() {
     const std::string file = temporary("scene.lua");
     write_file(file, script);
-    DescriptionNode node = run_script(file, {});
+    DescriptionNode node = run_script(file, script_options());
     fs::remove(file);
     return node;
 }
@@ -55,8 +65,8 @@ TEST(ReaderJson, ReadsBackToTheSame) {
         EXPECT_EQ(to_json(*second, {.locations = true, .indent = indent}), json);
         EXPECT_EQ(second->where.file, first->where.file);
         EXPECT_EQ(second->where.line, 8);
-        EXPECT_EQ(resolve(second, "x").hash, resolve(first, "x").hash);
-        EXPECT_EQ(resolve(second, "x").materials.size(), 2U);
+        EXPECT_EQ(resolved(second).scene.hash, resolved(first).scene.hash);
+        EXPECT_EQ(resolved(second).items.size(), 5U);
     }
 }
 
@@ -71,18 +81,21 @@ TEST(ReaderJson, OddValuesReadBack) {
 TEST(ReaderJson, HashIgnoresWhereLinesStand) {
     const std::string file = temporary("moved.lua");
     write_file(file, "-- a comment\n\n" + std::string(script));
-    EXPECT_EQ(resolve(run_script(file, {}), file).hash, resolve(described(), "x").hash);
+    EXPECT_EQ(resolved(run_script(file, script_options())).scene.hash,
+              resolved(described()).scene.hash);
     fs::remove(file);
 }
 
 TEST(ReaderJson, ResolveMakesSharedThingsOnce) {
-    const Scene scene = resolve(described(), "x");
-    ASSERT_EQ(scene.items.size(), 5U);
-    EXPECT_EQ(scene.items[0].bake({}).prototypes[0].mesh,
-              scene.items[4].bake({}).prototypes[0].mesh);
-    EXPECT_EQ(scene.items[4].bake({}).prototypes[0].material.index, 1U);
-    EXPECT_TRUE(scene.camera);
-    EXPECT_EQ(scene.lights.size(), 2U);
+    const SceneDraft draft = resolved(described());
+    ASSERT_EQ(draft.items.size(), 5U);
+    const Prototype first = draft.items[0]->bake({}, 0).prototypes[0];
+    const Prototype last = draft.items[4]->bake({}, 4).prototypes[0];
+    EXPECT_EQ(first.mesh, last.mesh);
+    EXPECT_NE(first.material, nullptr);
+    EXPECT_EQ(first.material, last.material);
+    EXPECT_TRUE(draft.scene.camera);
+    EXPECT_EQ(draft.scene.lights.size(), 2U);
 }
 
 // One to four small changes: a byte changed, dropped, doubled, or a piece moved.
@@ -122,7 +135,7 @@ TEST(ReaderMutation, Json) {
     std::mt19937 random(1);
     for (int i = 0; i < 3000; ++i) {
         const std::string text = mutated(json, random);
-        error_or_success([&] { resolve(description_from_json(text, "m.json"), "m.json"); });
+        error_or_success([&] { resolved(description_from_json(text, "m.json")); });
     }
 }
 
@@ -143,9 +156,9 @@ TEST(ReaderMutation, Script) {
     for (int i = 0; i < 400 && std::chrono::steady_clock::now() < end; ++i) {
         write_file(file, mutated(script, random));
         error_or_success([&] {
-            ScriptOptions options;
+            ScriptOptions options = script_options();
             options.limits = {.seconds = 0.2, .memory = std::size_t{32} << 20};
-            resolve(run_script(file, options), file);
+            resolved(run_script(file, options));
         });
     }
     fs::remove(file);

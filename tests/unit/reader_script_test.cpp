@@ -33,6 +33,7 @@ class ReaderScript : public testing::Test {
     }
 
     DescriptionNode run(const std::string& text, ScriptOptions options = {}) {
+        options.families = {"camera", "light", "material", "mesh"};
         if (!options.print)
             options.print = [this](std::string_view said) { printed_ += said; };
         return run_script(write("scene.lua", text), options);

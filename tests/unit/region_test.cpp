@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "core/random.h"
-#include "generators/sampling/region_shapes.h"
-#include "generators/sampling/region_tools.h"
-#include "generators/table.h"
-#include "tests/layout_params.h"
+#include "geometry/plane/region_shapes.h"
+#include "geometry/plane/region_tools.h"
+#include "shapes/table.h"
+#include "tests/support/layout_params.h"
 
 #include <gtest/gtest.h>
 

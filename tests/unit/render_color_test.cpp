@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/color.h"
+#include "render/film/color.h"
 
 #include "core/error.h"
 #include "core/file.h"

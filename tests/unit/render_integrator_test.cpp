@@ -2,7 +2,7 @@
 // Whole pictures against closed forms, and against each other.
 #include "core/error.h"
 #include "core/random.h"
-#include "tests/unit/render_test_tools.h"
+#include "tests/support/rendering.h"
 
 #include <gtest/gtest.h>
 
@@ -267,8 +267,7 @@ TEST(Render, StopsOnCancelTimeAndNoise) {
             cancel.request();
     };
     const World world(stage.aggregates, stage.lights);
-    const RenderResult stopped =
-        render(world, {stage.materials, stage.lights, stage.camera, stage.film}, options, context);
+    const RenderResult stopped = render(world, stage.camera, stage.film, options, context);
     EXPECT_TRUE(stopped.cancelled);
     EXPECT_EQ(stopped.stats.samples_per_pixel, 8);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What procedurals are asked and what becomes of their answers, under every kind of transform.
 #include "core/random.h"
-#include "render/ggx.h"
-#include "render/instance_record.h"
+#include "render/bsdf/ggx.h"
 #include "render/paint.h"
 #include "render/surface.h"
-#include "tests/unit/render_test_tools.h"
+#include "render/world/instance_record.h"
+#include "tests/support/rendering.h"
 
 #include <gtest/gtest.h>
 
@@ -228,9 +228,8 @@ TEST(Paint, OneQuestionPerHitAnswersAll) {
     Hit hit;
     const Vec3 down(0.0F, -1.0F, 0.0F);
     ASSERT_TRUE(world.hit({Vec3(0.1F, 1.0F, 0.2F), down}, hit));
-    const std::vector<Material> kinds = {Matte{paint}, Plastic{paint, 0.1F, 1.5F},
-                                         Metal{paint, 0.1F}};
-    const MaterialSet materials(kinds);
+    const MaterialSet materials =
+        test::material_set({Matte{paint}, Plastic{paint, 0.1F, 1.5F}, Metal{paint, 0.1F}});
     for (hit.material = 0; hit.material < 3; ++hit.material) {
         const Surface surface = seen(materials, hit, down);
         EXPECT_EQ(probe->asked.size(), hit.material + 1);
@@ -242,9 +241,9 @@ TEST(Paint, OneQuestionPerHitAnswersAll) {
     }
     // Unless it says so, it leaves normal and roughness alone.
     const Paint plain{{Color(0.0F), std::make_shared<Probe>(ShadingSample{})}, {}};
-    const std::vector<Material> metal = {Metal{plain, 0.1F}};
+    const MaterialSet metal = test::material_set({Metal{plain, 0.1F}});
     hit.material = 0;
-    const Surface surface = seen(MaterialSet(metal), hit, down);
+    const Surface surface = seen(metal, hit, down);
     EXPECT_EQ(surface.bsdf.alpha, 0.1F * 0.1F);
     EXPECT_EQ(surface.frame.z, hit.normal);
     EXPECT_FALSE(surface.smooth);

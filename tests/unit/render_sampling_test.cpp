@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every sampling routine against its own density, by chi-square; and the sampler's stratification.
 #include "core/random.h"
-#include "render/filter.h"
-#include "render/ggx.h"
+#include "core/warps.h"
+#include "render/bsdf/ggx.h"
+#include "render/film/filter.h"
 #include "render/sampler.h"
-#include "tests/unit/render_test_tools.h"
+#include "tests/support/rendering.h"
 
-#include "render/distribution.h"
+#include "core/distribution.h"
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -342,7 +343,7 @@ TEST(Sampling, FiltersAndLens) {
     Random random(7, Purpose::test);
     std::vector<double> disk(16 * 16);
     for (int i = 0; i < sample_count; ++i) {
-        const Vec2f d = concentric_disk(next_pair(random));
+        const Vec2f d = warp::disk(next_pair(random));
         const int ring = std::clamp(static_cast<int>(d.dot(d) * 16), 0, 15);
         const double turn = std::atan2(double(d.y), double(d.x)) / (2 * pi) + 0.5;
         disk[std::size_t(ring * 16 + std::clamp(static_cast<int>(turn * 16), 0, 15))] += 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Translucent things against closed forms of transport theory, and against each other.
 #include "render/subsurface.h"
-#include "tests/unit/render_test_tools.h"
+#include "tests/support/rendering.h"
 
 #include <gtest/gtest.h>
 

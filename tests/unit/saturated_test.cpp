@@ -2,11 +2,11 @@
 // The certificate of saturated layouts by brute force: no pose of a fine grid, and none that a
 // climb from its best poses finds, keeps more than epsilon from everything.
 #include "core/parallel.h"
-#include "generators/fields/plain_fields.h"
 #include "generators/layout/method.h"
 #include "generators/layout/search_problem.h"
-#include "generators/sampling/region_shapes.h"
-#include "generators/sampling/region_tools.h"
+#include "geometry/plane/region_shapes.h"
+#include "geometry/plane/region_tools.h"
+#include "shapes/field/plain_fields.h"
 
 #include <gtest/gtest.h>
 

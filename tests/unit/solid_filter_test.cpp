@@ -2,7 +2,7 @@
 // What the filters answer against the mean of 4096 points within the filter.
 #include "core/random.h"
 #include "procedurals/table.h"
-#include "tests/plugin_params.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Textures of several points, one in each lane of a vector, against the same points one by one.
 #include "core/random.h"
-#include "procedurals/solid/vector_path.h"
+#include "procedurals/solid/lattice/vector_path.h"
 #include "procedurals/table.h"
-#include "tests/plugin_params.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 

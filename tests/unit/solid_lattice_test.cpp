@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
-#include "procedurals/solid/fractal_lattice.h"
+#include "procedurals/solid/lattice/fractal_lattice.h"
 
 #include <gtest/gtest.h>
 
@@ -303,8 +303,8 @@ TEST(SolidLattice, SixteenBitsAreOffByHalfAStep) {
 
 TEST(SolidLattice, WhatIsLeftOutHasTheVarianceItSays) {
     // Over many lattices and places: mean square of all levels less those resolved. At widths that
-    // leave levels whole (sqrt 2 times powers of 2): between them one level is left out in part, and what varies within the
-    // filter is another thing than what was not added.
+    // leave levels whole (sqrt 2 times powers of 2): between them one level is left out in part,
+    // and what varies within the filter is another thing than what was not added.
     for (const float width : {0.0441942F, 0.1767767F, 0.3535534F, 1.4142136F}) {
         double squares = 0, said = 0;
         const int lattices = 40, places = 400;

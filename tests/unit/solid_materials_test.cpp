@@ -4,8 +4,8 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "procedurals/table.h"
-#include "tests/plugin_params.h"
-#include "tests/shading_difference.h"
+#include "tests/support/plugin_params.h"
+#include "tests/support/shading_difference.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
-#include "procedurals/solid/fractal_lattice.h"
-#include "procedurals/solid/stripes.h"
-#include "procedurals/solid/vector_path.h"
+#include "procedurals/solid/lattice/fractal_lattice.h"
+#include "procedurals/solid/lattice/vector_path.h"
+#include "procedurals/solid/marble/stripes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generators/sampling/surface_disks.h"
+#include "geometry/sampling/surface_disks.h"
 
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "generators/sampling/poisson_disk.h"
-#include "generators/table.h"
-#include "tests/plugin_params.h"
+#include "geometry/sampling/poisson_disk.h"
+#include "shapes/table.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 

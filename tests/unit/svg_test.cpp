@@ -3,10 +3,10 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
-#include "generators/svg/svg_document.h"
-#include "generators/svg/svg_text.h"
-#include "generators/table.h"
-#include "tests/plugin_params.h"
+#include "geometry/plane/svg/svg_document.h"
+#include "geometry/plane/svg/svg_text.h"
+#include "shapes/table.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 

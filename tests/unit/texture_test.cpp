@@ -6,10 +6,10 @@
 #include "formats/surface_texture.h"
 #include "formats/texture_slices.h"
 #include "formats/texture_volume.h"
-#include "generators/table.h"
-#include "tests/disk_room.h"
-#include "tests/plugin_params.h"
-#include "tests/unit/picture_test_tools.h"
+#include "shapes/table.h"
+#include "tests/support/disk_room.h"
+#include "tests/support/pictures.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 #include <openvdb/openvdb.h>

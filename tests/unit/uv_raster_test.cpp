@@ -3,9 +3,9 @@
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/random.h"
-#include "core/uv_frame.h"
-#include "core/uv_gutter.h"
-#include "core/uv_raster.h"
+#include "geometry/mesh/uv_frame.h"
+#include "geometry/mesh/uv_gutter.h"
+#include "geometry/mesh/uv_raster.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which voxels are inside a mesh, against the solid angle that the mesh has round them.
 #include "core/error.h"
-#include "core/voxel_grid.h"
-#include "generators/table.h"
-#include "tests/plugin_params.h"
+#include "geometry/mesh/voxel_grid.h"
+#include "shapes/table.h"
+#include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a scene, bakes it and counts what came out, with nothing but the installed headers.
 #include "core/version.h"
-#include "scenes/reader/scene.h"
+#include "session/session.h"
 
 #include <cstdio>
 #include <fstream>
@@ -15,8 +15,9 @@ int main() {
                            "    components = { { shape = mesh.box {} } },\n"
                            "    cancellations = 100, seed = 1 } } }\n";
     try {
-        const scree::Scene scene = scree::resolve(scree::read_description(path, {}), path);
-        const scree::Aggregate aggregate = scene.items.front().bake(scree::Context{});
+        scree::Session session({.path = path});
+        const scree::Scene scene = session.bake(session.load());
+        const scree::Aggregate& aggregate = scene.aggregates.front();
         std::printf("scree %s placed %zu boxes\n", SCREE_VERSION, aggregate.instances.size());
         return aggregate.instances.empty() ? 1 : 0;
     } catch (const scree::Error& error) {

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/bodies/overlap_measure.h"
+
+#include "core/parallel.h"
+#include "core/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace scree {
+
+namespace {
+
+// Points evenly at random inside of a component; fewer where it fills next to nothing of its box.
+std::vector<Vec3> points_inside(const PileComponent& component, std::size_t count) {
+    Box3 box;
+    for (const Vec3& p : component.prototype.mesh->positions)
+        box.extendBy(p - component.origin);
+    const Vec3 size = box.size();
+    Random random(0, Purpose::pile_inside);
+    std::vector<Vec3> points;
+    for (std::size_t trial = 0; points.size() < count && trial < 1000 * count; ++trial) {
+        Vec3 p = box.min;
+        for (int axis = 0; axis < 3; ++axis)
+            p[axis] += size[axis] * random.uniform_float();
+        if (component.distance.at(p) < 0)
+            points.push_back(p);
+    }
+    return points;
+}
+
+struct Overlap {
+    double depth = 0;
+    double share = 0;
+};
+
+Overlap overlap_of(const Pile& pile, std::uint32_t i, const std::vector<Vec3>& inside) {
+    const Placed& placed = pile.all[i];
+    const PileComponent& own = pile.component(placed);
+    Overlap overlap;
+    std::vector<char> taken(inside.size(), 0);
+    pile.hash.near(placed.pose.centre, own.reach, [&](std::uint32_t j) {
+        if (j == i)
+            return;
+        const PileComponent& other = pile.component(pile.all[j]);
+        const RelativePose there = relative(placed.pose, pile.all[j].pose);
+        if (double(other.distance.at(there.offset)) > own.reach)
+            return;
+        const RelativePose back = relative(pile.all[j].pose, placed.pose);
+        const float depth = std::max(own.samples.depth_in(other.distance, there, 0),
+                                     other.samples.depth_in(own.distance, back, 0));
+        overlap.depth = std::max(overlap.depth, double(depth) / std::min(own.radius, other.radius));
+        for (std::size_t p = 0; p < inside.size(); ++p)
+            if (!taken[p] && other.distance.at(there(inside[p])) < 0)
+                taken[p] = 1;
+    });
+    if (!inside.empty())
+        overlap.share = double(std::count(taken.begin(), taken.end(), 1)) / double(inside.size());
+    return overlap;
+}
+
+} // namespace
+
+OverlapMeasure measure_overlap(const Pile& pile, std::size_t most, std::size_t volume_samples) {
+    std::vector<std::vector<Vec3>> inside;
+    for (const PileKind& kind : pile.kinds)
+        inside.push_back(points_inside(kind.component, volume_samples));
+    const std::size_t count = std::min(most, pile.all.size());
+    std::vector<Overlap> overlaps(count);
+    parallel_for(count, 4, [&](std::size_t n) {
+        const auto i = static_cast<std::uint32_t>(n * pile.all.size() / count);
+        overlaps[n] = overlap_of(pile, i, inside[pile.all[i].kind]);
+    });
+    OverlapMeasure measure{.measured = count};
+    if (count == 0)
+        return measure;
+    std::vector<double> depths;
+    for (const Overlap& overlap : overlaps) {
+        depths.push_back(overlap.depth);
+        measure.volume_share += overlap.share / double(count);
+    }
+    std::sort(depths.begin(), depths.end());
+    measure.mean_depth = std::accumulate(depths.begin(), depths.end(), 0.0) / double(count);
+    measure.percentile_99 = depths[static_cast<std::size_t>(std::ceil(0.99 * double(count))) - 1];
+    measure.largest_depth = depths.back();
+    return measure;
+}
+
+} // namespace scree

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces inside of a solid, all of one depth each.
+#pragma once
+
+#include "geometry/mesh/signed_distance_grid.h"
+
+namespace scree {
+
+/// Where the distance is `level` [m], less than at the grid's border: the six tetrahedra of each
+/// cube of samples (Kuhn 1960) cut by a plane each. Closed, what lies below the level inside;
+/// empty where no sample does.
+Mesh level_surface(const SignedDistanceGrid& distance, double level);
+
+/// A surface inside of a solid.
+struct OffsetShell {
+    double depth = 0; // [m]
+    Mesh surface;
+};
+
+/// Surfaces `spacing` [m] apart below that of a solid, itself not among them, until there is no
+/// inside left; at most `most`.
+std::vector<OffsetShell> offset_shells(const SignedDistanceGrid& solid, double spacing,
+                                       std::size_t most);
+
+} // namespace scree

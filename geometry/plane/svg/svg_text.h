@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The small languages in the attributes of an SVG. All throw Error saying what is wrong where;
+// numbers are at most 1e9, since coordinates beyond that are mistakes.
+#pragma once
+
+#include "geometry/plane/svg/bezier_path.h"
+
+#include <string_view>
+
+namespace scree {
+
+/// What a path's `d` says: all commands of SVG 1.1, absolute and relative.
+BezierPath parse_path_data(std::string_view data);
+
+/// A `transform`: matrix, translate, scale, rotate, skewX and skewY, the first one outermost.
+Affine parse_transform(std::string_view text);
+
+/// Numbers between spaces and commas, as in `points` and `viewBox`.
+std::vector<double> parse_numbers(std::string_view text);
+
+/// A length in pixels of 1/96 inch, from px, mm, cm, Q, in, pt, pc or no unit.
+double parse_length(std::string_view text);
+
+} // namespace scree

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/table.h"
+
+#include "model/table_tools.h"
+
+namespace scree {
+
+namespace {
+
+Plugin<MakeLight> sky_plugin() {
+    ParamSpec horizon = color_spec("horizon", "Radiance at the horizon; color when not given.");
+    ParamSpec zenith = color_spec("zenith", "Radiance straight above; color when not given.");
+    ParamSpec ground = color_spec("ground", "Radiance below the horizon; horizon when not given.");
+    for (ParamSpec* spec : {&horizon, &zenith, &ground}) {
+        spec->fallback = {};
+        spec->optional = true;
+    }
+    return {"sky",
+            "Light from all around: one colour, a vertical gradient, or an image.",
+            {color_spec("color", "Radiance in every direction."),
+             zenith,
+             horizon,
+             ground,
+             {.name = "image",
+              .type = ParamType::path,
+              .doc = "A latitude-longitude image (EXR, PNG or JPEG), its top row straight above; "
+                     "its centre is in direction -z; multiplied by color.",
+              .optional = true},
+             {.name = "rotation",
+              .type = ParamType::number,
+              .doc = "Turn about the y axis, counter-clockwise seen from above.",
+              .unit = "deg",
+              .fallback = 0.0,
+              .min = -360.0,
+              .max = 360.0},
+             strength_spec(1.0, "Factor on all radiances.", "")},
+            [](const Params& params) -> Light {
+                Sky sky;
+                const auto color = [&](const char* name, const Color& otherwise) {
+                    if (!params.has(name))
+                        return otherwise;
+                    check_color(params, name, params.color(name), any_radiance);
+                    return params.color(name);
+                };
+                const Color base = color("color", Color(1.0F, 1.0F, 1.0F));
+                sky.zenith = color("zenith", base);
+                sky.horizon = color("horizon", base);
+                sky.ground = color("ground", sky.horizon);
+                sky.rotation = float_number(params, "rotation");
+                sky.strength = float_number(params, "strength");
+                if (params.has("image")) {
+                    for (const char* name : {"zenith", "horizon", "ground"})
+                        if (params.has(name))
+                            throw params.error(name, "cannot be given together with image");
+                    try {
+                        sky.image = std::make_shared<Image>(read_image(params.text("image")));
+                    } catch (const Error& error) {
+                        throw params.error("image", error.diagnostics().front().message);
+                    }
+                    for (const float value : sky.image->pixels)
+                        if (!(value >= 0 && value < 1e30F))
+                            throw params.error("image", "holds negative or infinite radiance");
+                }
+                return sky;
+            }};
+}
+
+Plugin<MakeLight> sun_plugin() {
+    return {"sun",
+            "A distant disk of light.",
+            {{.name = "direction",
+              .type = ParamType::vector3,
+              .doc = "Towards the sun; any length.",
+              .fallback = Vec3(1.0F, 2.0F, 1.0F)},
+             {.name = "angle",
+              .type = ParamType::number,
+              .doc = "Angular diameter; larger gives softer shadows.",
+              .unit = "deg",
+              .fallback = 0.53,
+              .min = 0.01,
+              .max = 90.0},
+             color_spec("color", "Colour of the light."),
+             strength_spec(3.0, "Irradiance on a surface that faces the sun.", "W/m^2")},
+            [](const Params& params) -> Light {
+                Sun sun{params.vector3("direction"), float_number(params, "angle"),
+                        params.color("color"), float_number(params, "strength")};
+                check_color(params, "color", sun.color, any_radiance);
+                if (!(is_finite(sun.direction) && sun.direction.length() > 0))
+                    throw params.error("direction", "must not be zero");
+                sun.direction.normalize();
+                return sun;
+            }};
+}
+
+Plugin<MakeLight> area_plugin() {
+    return {"area",
+            "A rectangle that shines from its front; it is visible.",
+            {{.name = "position",
+              .type = ParamType::vector3,
+              .doc = "Centre of the rectangle.",
+              .unit = "m",
+              .fallback = Vec3(0.0F, 2.0F, 0.0F)},
+             {.name = "at",
+              .type = ParamType::vector3,
+              .doc = "Point that its front faces.",
+              .unit = "m",
+              .fallback = Vec3(0.0F, 0.0F, 0.0F)},
+             {.name = "size",
+              .type = ParamType::vector2,
+              .doc = "Its width and height.",
+              .unit = "m",
+              .fallback = Vec2(1.0, 1.0)},
+             color_spec("color", "Colour of the light."),
+             strength_spec(10.0, "Radiance of the front.", "W/(m^2 sr)")},
+            [](const Params& params) -> Light {
+                AreaLight light;
+                light.centre = params.vector3("position");
+                const Vec3 normal = params.vector3("at") - light.centre;
+                if (!(is_finite(normal) && normal.length() > 0))
+                    throw params.error("at", "must differ from position");
+                const Vec2& size = params.vector2("size");
+                if (!(size.x > 0 && size.y > 0 && size.x < 1e6 && size.y < 1e6))
+                    throw params.error("size", "must be above 0 and below 1000000 m");
+                check_color(params, "color", params.color("color"), any_radiance);
+                const Vec3 n = normal.normalized();
+                const Vec3 up =
+                    std::abs(n.y) < 0.999F ? Vec3(0.0F, 1.0F, 0.0F) : Vec3(0.0F, 0.0F, 1.0F);
+                const Vec3 u = n.cross(up).normalized();
+                light.edge_u = u * static_cast<float>(size.x);
+                light.edge_v = n.cross(u) * static_cast<float>(size.y);
+                light.radiance = params.color("color") * float_number(params, "strength");
+                return light;
+            }};
+}
+
+} // namespace
+
+Registry<MakeLight> light_table() {
+    Registry<MakeLight> table("light");
+    table.add(sky_plugin());
+    table.add(sun_plugin());
+    table.add(area_plugin());
+    return table;
+}
+
+} // namespace scree

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/located.h"
+#include "core/random.h"
+#include "model/table.h"
+
+namespace scree {
+
+namespace {
+
+std::vector<ParamSpec> object_params() {
+    return {
+        {.name = "shape",
+         .type = ParamType::object,
+         .families = {"mesh"},
+         .doc = "What it looks like."},
+        material_spec("What it is made of"),
+        {.name = "position",
+         .type = ParamType::vector3,
+         .doc = "Where the mesh's origin goes.",
+         .unit = "m",
+         .fallback = Vec3(0.0F)},
+        {.name = "rotation",
+         .type = ParamType::vector3,
+         .doc = "Turn about the x axis, then y, then z, each through the mesh's origin.",
+         .unit = "deg",
+         .fallback = Vec3(0.0F)},
+        {.name = "scale",
+         .type = ParamType::vector3,
+         .doc = "Factor along x, y and z before the turn; one number for all three.",
+         .fallback = Vec3(1.0F),
+         .min = 0.0,
+         .max = 1e6,
+         .above_min = true,
+         .uniform = true},
+    };
+}
+
+// Row vectors: scaled first, then turned about x, y and z, then moved.
+Matrix object_matrix(const Params& params) {
+    const Vec3& turn = params.vector3("rotation");
+    Matrix scale;
+    Matrix about_x;
+    Matrix about_y;
+    Matrix about_z;
+    Matrix move;
+    scale.setScale(params.vector3("scale"));
+    about_x.setAxisAngle(Vec3(1, 0, 0), turn.x);
+    about_y.setAxisAngle(Vec3(0, 1, 0), turn.y);
+    about_z.setAxisAngle(Vec3(0, 0, 1), turn.z);
+    move.setTranslation(params.vector3("position"));
+    return scale * about_x * about_y * about_z * move;
+}
+
+SceneItem object_item(const Params& params) {
+    Aggregate object;
+    object.generator = "object";
+    const auto mesh = params.object<Mesh>("shape");
+    object.prototypes.push_back({mesh->name, mesh, nullptr, params.object<Material>("material")});
+    Instance instance;
+    instance.world_from_object = object_matrix(params);
+    object.instances.push_back(instance);
+    return {"object",
+            [object = std::move(object)](const Context&, std::uint64_t number) {
+                Aggregate out = object;
+                out.instances.front().random =
+                    Random(0, Purpose::instance_attribute, number).uniform_float();
+                return out;
+            },
+            params.where()};
+}
+
+} // namespace
+
+Registry<MakeItem> object_table() {
+    Registry<MakeItem> table("object");
+    table.add({"object", "One mesh in its place.", object_params(), object_item});
+    return table;
+}
+
+Registry<MakeItem> generator_items(const Registry<Bake>& table) {
+    Registry<MakeItem> items(table.family());
+    for (const Plugin<Bake>& plugin : table.plugins())
+        items.add({plugin.name, plugin.doc, plugin.params,
+                   [name = plugin.name, bake = plugin.make](const Params& params) -> SceneItem {
+                       return {name,
+                               [bake, params](const Context& context, std::uint64_t) {
+                                   return located(params, [&] { return bake(params, context); });
+                               },
+                               params.where()};
+                   }});
+    return items;
+}
+
+} // namespace scree

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/procedural.h"
+
+#include "core/parallel.h"
+
+#include <algorithm>
+
+namespace scree {
+
+void Procedural::bake(std::span<const ShadingPoint> points, std::span<ShadingSample> samples,
+                      Device* /*device*/) const {
+    constexpr std::size_t block = 1024; // what stays in a core's nearest cache
+    parallel_for((points.size() + block - 1) / block, 1, [&](std::size_t i) {
+        const std::size_t first = i * block;
+        const std::size_t count = std::min(block, points.size() - first);
+        evaluate(points.subspan(first, count), samples.subspan(first, count));
+    });
+}
+
+} // namespace scree

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What scenes are made of beside shapes, generators and procedurals, and its declarations.
+#pragma once
+
+#include "core/registry.h"
+#include "model/camera.h"
+#include "model/film_settings.h"
+#include "model/generator.h"
+#include "model/light.h"
+#include "model/material.h"
+#include "model/scene.h"
+
+namespace scree {
+
+using MakeMaterial = Material(const Params& params);
+using MakeLight = Light(const Params& params);
+using MakeCamera = Camera(const Params& params);
+using MakeItem = SceneItem(const Params& params);
+
+Registry<MakeMaterial> material_table(); // material.matte, plastic, metal, glass, translucent
+Registry<MakeLight> light_table();       // light.sky, sun, area
+Registry<MakeCamera> camera_table();     // camera.perspective
+Registry<MakeItem> object_table();       // object
+
+/// The generators of a table as items of a scene. What they throw is located at the constructor.
+Registry<MakeItem> generator_items(const Registry<Bake>& table);
+
+/// The scene's film = { ... } record.
+std::vector<ParamSpec> film_params();
+FilmSettings film_settings(const Params& film);
+
+/// What `scene { ... }` holds, and the draft that it stands for but for its name and settings.
+std::vector<ParamSpec> scene_params();
+SceneDraft scene_draft(const Params& scene);
+
+} // namespace scree

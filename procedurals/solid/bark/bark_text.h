@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "procedurals/solid/cells/cells_shapes_text.h"
+
+#define global
+namespace scree::solid {
+#include "procedurals/solid/bark/bark.cl"
+} // namespace scree::solid
+#undef global

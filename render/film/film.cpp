@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/film/film.h"
+
+#include <cmath>
+
+namespace scree {
+
+namespace {
+
+constexpr double mid_grey = 0.18;
+
+double pixel_luminance(const double* rgb) { // ITU-R BT.709
+    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+}
+
+} // namespace
+
+Film::Film(int width, int height)
+    : width_(width), height_(height), pixels_(std::size_t(width) * std::size_t(height)) {}
+
+bool Film::add(int x, int y, const PathSample& sample, float depth) {
+    Pixel& pixel = pixels_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
+    for (int c = 0; c < 3; ++c)
+        if (!(std::isfinite(sample.radiance[c]) && sample.radiance[c] >= 0))
+            return false;
+    if (pixel.count++ == 0) {
+        pixel.position = sample.position;
+        pixel.depth = sample.covered ? depth : 0;
+        pixel.instance = sample.instance + 1; // PathSample::none becomes 0
+    }
+    const double before = pixel_luminance(pixel.mean);
+    for (int c = 0; c < 3; ++c) {
+        const double delta = double(sample.radiance[c]) - pixel.mean[c];
+        pixel.mean[c] += delta / pixel.count;
+        pixel.square[c] += delta * (double(sample.radiance[c]) - pixel.mean[c]);
+    }
+    const double value = double(luminance(sample.radiance));
+    pixel.luminance_square += (value - before) * (value - pixel_luminance(pixel.mean));
+    pixel.albedo += sample.albedo;
+    pixel.normal += sample.normal;
+    pixel.covered += sample.covered ? 1.0F : 0.0F;
+    return true;
+}
+
+double Film::relative_error(int x0, int y0, int x1, int y1) const {
+    double sum = 0;
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) {
+            const Pixel& pixel = at(x, y);
+            if (pixel.count < 2)
+                return INFINITY;
+            const double variance =
+                pixel.luminance_square / (double(pixel.count) * (double(pixel.count) - 1));
+            const double scale = pixel_luminance(pixel.mean) + mid_grey;
+            sum += variance / (scale * scale);
+        }
+    return std::sqrt(sum / (double(x1 - x0) * double(y1 - y0)));
+}
+
+template <class Value>
+Image Film::picture(std::vector<std::string> channels, const Value& value) const {
+    Image image(width_, height_, std::move(channels));
+    for (int y = 0; y < height_; ++y)
+        for (int x = 0; x < width_; ++x)
+            if (at(x, y).count > 0)
+                value(at(x, y), image.at(x, y));
+    return image;
+}
+
+Image Film::beauty() const {
+    return picture({"R", "G", "B", "A"}, [](const Pixel& pixel, float* out) {
+        for (int c = 0; c < 3; ++c)
+            out[c] = static_cast<float>(pixel.mean[c]);
+        out[3] = pixel.covered / static_cast<float>(pixel.count);
+    });
+}
+
+std::vector<ImagePart> Film::parts() const {
+    std::vector<ImagePart> parts;
+    parts.push_back({"beauty", beauty(), true});
+    parts.push_back({"albedo",
+                     picture({"R", "G", "B"},
+                             [](const Pixel& pixel, float* out) {
+                                 for (int c = 0; c < 3; ++c)
+                                     out[c] = pixel.albedo[c] / static_cast<float>(pixel.count);
+                             }),
+                     false});
+    parts.push_back({"N",
+                     picture({"X", "Y", "Z"},
+                             [](const Pixel& pixel, float* out) {
+                                 for (int c = 0; c < 3; ++c)
+                                     out[c] = pixel.normal[c] / static_cast<float>(pixel.count);
+                             }),
+                     false});
+    parts.push_back(
+        {"Z", picture({"Z"}, [](const Pixel& pixel, float* out) { out[0] = pixel.depth; }), true});
+    parts.push_back({"P",
+                     picture({"X", "Y", "Z"},
+                             [](const Pixel& pixel, float* out) {
+                                 for (int c = 0; c < 3; ++c)
+                                     out[c] = pixel.position[c];
+                             }),
+                     true});
+    parts.push_back(
+        {"instance",
+         picture({"id"}, [](const Pixel& pixel,
+                            float* out) { out[0] = static_cast<float>(pixel.instance); }),
+         true});
+    parts.push_back({"variance",
+                     picture({"R", "G", "B"},
+                             [](const Pixel& pixel, float* out) {
+                                 const double n = pixel.count;
+                                 for (int c = 0; c < 3 && n > 1; ++c)
+                                     out[c] = static_cast<float>(pixel.square[c] / (n * (n - 1)));
+                             }),
+                     true});
+    return parts;
+}
+
+} // namespace scree

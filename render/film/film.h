@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/image.h"
+#include "render/film/path_sample.h"
+
+#include <vector>
+
+namespace scree {
+
+/// Running mean and variance per pixel (Welford 1962), and pictures of what the first hits were.
+/// Different pixels may be written by different threads.
+class Film {
+  public:
+    Film(int width, int height);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    /// Adds one sample to a pixel; `depth` is that of sample.position. Drops it and answers false
+    /// when a value is not finite or negative.
+    bool add(int x, int y, const PathSample& sample, float depth);
+
+    std::uint32_t samples(int x, int y) const { return at(x, y).count; }
+
+    /// Estimated error of a rectangle of pixels: root mean square over them of the standard error
+    /// of luminance over (luminance + 0.18), mid-grey, so that dark pixels count as they are seen.
+    double relative_error(int x0, int y0, int x1, int y1) const;
+
+    Image beauty() const; // R, G, B, A; black where there is no sample
+
+    /// The beauty first, then albedo and N (means over the samples), Z, P and instance (of the
+    /// first sample, so that edges do not mix; instance counts from 1, 0 is the background), and
+    /// variance (of the beauty's mean; too high by what stratification gains).
+    std::vector<ImagePart> parts() const;
+
+  private:
+    struct Pixel {
+        double mean[3] = {};
+        double square[3] = {}; // sum of squared deviations
+        double luminance_square = 0;
+        Color albedo{0.0F, 0.0F, 0.0F}; // sums
+        Vec3 normal{0.0F, 0.0F, 0.0F};
+        Vec3 position{0.0F, 0.0F, 0.0F};
+        float depth = 0;
+        float covered = 0;
+        std::uint32_t instance = 0;
+        std::uint32_t count = 0;
+    };
+    const Pixel& at(int x, int y) const {
+        return pixels_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
+    }
+    template <class Value>
+    Image picture(std::vector<std::string> channels, const Value& value) const;
+
+    int width_;
+    int height_;
+    std::vector<Pixel> pixels_;
+};
+
+} // namespace scree

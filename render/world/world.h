@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What rays meet: the only owner of Embree's handles.
+#pragma once
+
+#include "core/context.h"
+#include "model/aggregate.h"
+#include "model/light.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace scree {
+
+struct InstanceRecord;
+
+struct Ray {
+    Vec3 origin;
+    Vec3 direction; // unit length
+    float length = std::numeric_limits<float>::infinity();
+};
+
+/// What a ray meets first.
+struct Hit {
+    static constexpr std::uint32_t none = 0xffffffffU;
+
+    Vec3 position;
+    Vec3 normal;         // geometric, unit, outwards by the order of the vertices
+    Vec3 shading_normal; // interpolated, unit, on the same side as `normal`
+    Vec3 object_position;
+    float distance = 0;
+    float offset = 0; // how far the position may be off its surface [m]
+    float random = 0; // of the instance
+    std::uint32_t instance = none;
+    std::uint32_t material = 0;
+    std::uint32_t light = none;             // index into the lights, of an area light
+    bool smooth = false;                    // shading_normal differs from normal
+    const InstanceRecord* record = nullptr; // null on lights
+    const Mesh* mesh = nullptr;             // null on lights
+    std::uint32_t triangle = 0;
+    Vec2f barycentric{0.0F, 0.0F}; // of the triangle's second and third corner
+
+    Vec2f uv() const; // apart, since only procedurals ask
+
+    /// UV per metre of the object, by areas of the triangle; 0 without.
+    float uv_scale() const;
+
+    /// A ray that leaves the surface and cannot meet it again by rounding.
+    Ray leave(const Vec3& direction) const {
+        const float side = direction.dot(normal) > 0 ? offset : -offset;
+        return {position + normal * side, direction};
+    }
+};
+
+/// What Embree knows of a hit; `World::fill` makes a Hit of it.
+struct RawHit {
+    std::uint32_t geometry = Hit::none; // none: the ray met nothing
+    std::uint32_t instance = Hit::none;
+    std::uint32_t primitive = 0;
+    Vec2f barycentric{0.0F, 0.0F};
+    float distance = 0;
+
+    bool found() const { return geometry != Hit::none; }
+};
+
+/// Aggregates and area lights, ready for rays. Prototypes that share a mesh share its tree.
+/// Thread-safe once built.
+class World {
+  public:
+    /// Keeps the meshes alive, not the aggregates. Throws Error (resource) when Embree runs out
+    /// of memory, Cancelled on the context's cancel.
+    World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
+          const Context& context = {});
+    ~World();
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+
+    /// The first hit along the ray, if any. Adds the time inside Embree to `*clock` if given.
+    bool hit(const Ray& ray, Hit& hit, std::uint64_t* clock = nullptr) const;
+
+    /// `hit` in three steps: between them a caller with several rays can let memory catch up, since
+    /// what a bounced ray hits is in no cache.
+    RawHit find(const Ray& ray, std::uint64_t* clock = nullptr) const;
+    void prefetch(const RawHit& raw) const;
+    void fill(const Ray& ray, const RawHit& raw, Hit& hit) const;
+
+    /// What a ray meets of one instance as if nothing else were there; nullopt where the ray begins
+    /// outside of the box around its mesh.
+    std::optional<RawHit> find_within(std::uint32_t instance, const Ray& ray,
+                                      std::uint64_t* clock = nullptr) const;
+
+    /// Whether anything lies within the ray's length.
+    bool occluded(const Ray& ray, std::uint64_t* clock = nullptr) const;
+
+    /// By Hit::material; the first is that of what has none.
+    std::span<const std::shared_ptr<const Material>> materials() const;
+    std::span<const Light> lights() const;
+
+    Box3 bounds() const; // empty for an empty world
+    std::size_t instance_count() const;
+    std::size_t triangle_count() const; // after instancing
+    std::size_t memory_bytes() const;   // Embree's trees, our vertices and instances
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace scree

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session.h"
+
+#include "scenes/reader/scene.h"
+#include "session/catalog.h"
+#include "session/show_pictures.h"
+
+#include <fmt/format.h>
+
+namespace scree {
+
+namespace {
+
+// "layout: 224 elements, fill 0.430, 0.05 s"
+std::string describe(const Aggregate& aggregate) {
+    std::string out =
+        fmt::format("{}: {} elements", aggregate.generator, aggregate.instances.size());
+    for (const auto& [name, value] : aggregate.facts) {
+        if (name == "fill")
+            out += fmt::format(", fill {:.3f}", value);
+        if (name == "seconds")
+            out += fmt::format(", {:.2f} s", value);
+    }
+    return out;
+}
+
+} // namespace
+
+Watcher& Session::nobody() {
+    static NoWatcher watcher;
+    return watcher;
+}
+
+const Cancel& Session::never() {
+    static const Cancel cancel;
+    return cancel;
+}
+
+Session::Session(SessionOptions options, Watcher& watcher, const Cancel& cancel)
+    : options_(std::move(options)), watcher_(watcher), cancel_(cancel), threads_(options_.threads),
+      catalog_(standard_catalog()) {}
+
+DescriptionNode Session::description() const {
+    return read_description(options_.path, options_.overrides, catalog_.constructor_families());
+}
+
+SceneDraft Session::load() {
+    stages_.begin("parse");
+    SceneDraft draft = resolve(description(), options_.path, catalog_);
+    stages_.end();
+    return draft;
+}
+
+Device* Session::device() {
+    if (!device_ && options_.device != "none")
+        device_.emplace(options_.device);
+    return device_ ? &*device_ : nullptr;
+}
+
+Context Session::context(const std::string& what) {
+    return {device(), &cancel_, [this, what](std::string_view part, double fraction) {
+                watcher_.progress(what, fraction, " " + std::string(part));
+            }};
+}
+
+Scene Session::bake(SceneDraft draft) {
+    stages_.begin("generate");
+    Scene& scene = draft.scene;
+    for (const std::shared_ptr<const SceneItem>& item : draft.items) {
+        scene.aggregates.push_back(item->bake(context(item->kind), scene.aggregates.size()));
+        scene.aggregates.back().where = item->where;
+        if (item->kind != "object")
+            watcher_.say(describe(scene.aggregates.back()));
+    }
+    show_pictures(scene.aggregates);
+    stages_.end();
+    return std::move(scene);
+}
+
+} // namespace scree

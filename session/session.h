@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One run from a scene's file to what is made of it, without command-line types: what the commands
+// and the studio call.
+#pragma once
+
+#include "core/device.h"
+#include "core/parallel.h"
+#include "model/catalog.h"
+#include "model/scene.h"
+#include "scenes/reader/description.h"
+#include "session/stages.h"
+#include "session/watcher.h"
+
+#include <map>
+#include <optional>
+
+namespace scree {
+
+/// What a session is opened with.
+struct SessionOptions {
+    std::string path;                               // of the scene
+    std::map<std::string, std::string> overrides{}; // of the script's arg(...)
+    std::string device{};                           // as Device takes it, or "none"
+    int threads = 0;                                // 0: all
+};
+
+/// The steps from a file to a finished scene. While it lives, its number of threads is the limit.
+class Session {
+  public:
+    /// Nobody watches, and nothing cancels.
+    explicit Session(SessionOptions options) : Session(std::move(options), nobody(), never()) {}
+
+    /// `watcher` and `cancel` must outlive this.
+    Session(SessionOptions options, Watcher& watcher, const Cancel& cancel);
+
+    /// Reads the scene.
+    DescriptionNode description() const;
+
+    /// Reads and checks the scene (stage "parse").
+    SceneDraft load();
+
+    /// Bakes the items (stage "generate") and tells the watcher of each generator.
+    Scene bake(SceneDraft draft);
+
+    /// What long work may use; its progress is shown as that of `what`.
+    Context context(const std::string& what);
+
+    /// The OpenCL device, opened on first use; null where there is to be none.
+    Device* device();
+
+    const Catalog& catalog() const { return catalog_; }
+    const SessionOptions& options() const { return options_; }
+    Stages& stages() { return stages_; }
+    Watcher& watcher() { return watcher_; }
+
+  private:
+    static Watcher& nobody();
+    static const Cancel& never();
+
+    SessionOptions options_;
+    Watcher& watcher_;
+    const Cancel& cancel_;
+    ThreadLimit threads_;
+    Catalog catalog_;
+    Stages stages_;
+    std::optional<Device> device_;
+};
+
+} // namespace scree

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/texture_subject.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace scree {
+
+namespace {
+
+float own_roughness(const Material& material) {
+    return std::visit(
+        [](const auto& m) {
+            if constexpr (requires { m.roughness; })
+                return m.roughness;
+            else
+                return ShadingSample::unset;
+        },
+        material);
+}
+
+std::shared_ptr<const Procedural> procedural_of(const Prototype& prototype) {
+    const Paint* paint = prototype.material ? paint_of(*prototype.material) : nullptr;
+    return paint == nullptr || !paint->palette.empty() ? nullptr : paint->texture.procedural;
+}
+
+std::vector<std::uint32_t> textured_prototypes(const Aggregate& aggregate) {
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t i = 0; i < aggregate.prototypes.size(); ++i)
+        if (aggregate.prototypes[i].mesh && !aggregate.prototypes[i].picture &&
+            procedural_of(aggregate.prototypes[i]))
+            out.push_back(i);
+    return out;
+}
+
+/// The index of the item whose procedural is meant.
+std::size_t chosen_item(const std::string& scene_path, const Scene& scene, int number) {
+    if (number > 0)
+        return std::size_t(number) - 1;
+    std::vector<std::size_t> found; // from 1
+    for (std::size_t i = 0; i < scene.aggregates.size(); ++i)
+        if (!textured_prototypes(scene.aggregates[i]).empty())
+            found.push_back(i + 1);
+    if (found.empty())
+        throw Error(Diagnostic{{scene_path, 0},
+                               "scene.objects",
+                               "no object has a procedural; expected a material whose color is a "
+                               "procedural.*",
+                               "scree list shows what there is"});
+    if (found.size() > 1)
+        throw Error::usage(fmt::format("{}: the objects {} have a procedural; choose one",
+                                       scene_path, fmt::join(found, ", ")),
+                           fmt::format("for example --object {}, counted in the order of "
+                                       "scene.objects",
+                                       found.front()));
+    return found.front() - 1;
+}
+
+} // namespace
+
+Error TextureSubject::mesh_error(const std::string& message, const std::string& hint) const {
+    return Error(Diagnostic{where, kind == "object" ? "object.shape" : kind,
+                            source.mesh->name + " " + message, hint});
+}
+
+Error TextureSubject::material_error(const std::string& message, const std::string& hint) const {
+    return Error(Diagnostic{where, kind == "object" ? "object.material" : kind, message, hint});
+}
+
+TextureSubject texture_subject(const std::string& scene_path, const Scene& scene, int number) {
+    const std::size_t index = chosen_item(scene_path, scene, number);
+    const Aggregate& aggregate = scene.aggregates[index];
+    const bool is_object = aggregate.generator == "object";
+    const std::string kind = is_object ? "object" : "generator." + aggregate.generator;
+    const std::vector<std::uint32_t> found = textured_prototypes(aggregate);
+    if (found.empty())
+        throw Error(Diagnostic{aggregate.where, is_object ? "object.material" : kind,
+                               fmt::format("object {} has no procedural; expected a material whose "
+                                           "color is a procedural.*",
+                                           index + 1),
+                               ""});
+    if (found.size() > 1)
+        throw Error(Diagnostic{aggregate.where, kind,
+                               fmt::format("{} of its components have a procedural; a texture is "
+                                           "of one",
+                                           found.size()),
+                               "put the one you want into an object { shape, material }"});
+    const Prototype& prototype = aggregate.prototypes[found.front()];
+    TextureSubject subject;
+    subject.where = aggregate.where;
+    subject.kind = kind;
+    subject.source.mesh = prototype.mesh;
+    subject.source.procedural = procedural_of(prototype);
+    subject.source.roughness = own_roughness(*prototype.material);
+    std::vector<const Instance*> places;
+    for (const Instance& instance : aggregate.instances)
+        if (instance.prototype == found.front())
+            places.push_back(&instance);
+    if (!places.empty())
+        subject.source.random = places.front()->random;
+    if (places.size() == 1)
+        subject.world_from_object = places.front()->world_from_object;
+    return subject;
+}
+
+} // namespace scree

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shapes/table.h"
+
+#include "core/located.h"
+#include "geometry/plane/image_channel.h"
+#include "shapes/field/grid_field.h"
+#include "shapes/field/plain_fields.h"
+#include "shapes/field/sampled_function.h"
+
+#include <fmt/format.h>
+
+namespace scree {
+
+namespace {
+
+using FieldPointer = std::shared_ptr<const Field>;
+
+ParamSpec extent(std::string name, std::string doc) {
+    return {.name = std::move(name),
+            .type = ParamType::number,
+            .doc = std::move(doc),
+            .unit = "m",
+            .min = 1e-6,
+            .max = 1e6};
+}
+
+ParamSpec place(std::string name, std::string doc) {
+    return {
+        .name = std::move(name), .type = ParamType::vector2, .doc = std::move(doc), .unit = "m"};
+}
+
+ParamSpec centre(std::string doc) {
+    ParamSpec spec = place("centre", std::move(doc));
+    spec.fallback = Vec2(0.0);
+    return spec;
+}
+
+ParamSpec value(std::string name, std::string doc, double fallback) {
+    return {.name = std::move(name),
+            .type = ParamType::number,
+            .doc = std::move(doc),
+            .fallback = fallback,
+            .min = -1e9,
+            .max = 1e9};
+}
+
+ParamSpec flag(std::string name, std::string doc) {
+    return {.name = std::move(name),
+            .type = ParamType::boolean,
+            .doc = std::move(doc),
+            .fallback = false};
+}
+
+ParamSpec angle_flag() {
+    return flag("angle", "The values are directions in degrees: 359 lies beside 0.");
+}
+
+ParamSpec nearest_flag() {
+    return flag("nearest", "The nearest sample's value instead of a mixture: for classes.");
+}
+
+/// Lays `grid` out over width x depth about the centre. With samples `at_border` the outermost
+/// ones stand on the border, otherwise all stand in the middle of equal cells.
+FieldPointer laid_out(const Params& params, SampleGrid grid, bool at_border) {
+    const Vec2 size(params.number("width"), params.number("depth"));
+    const Vec2 counts(grid.columns, grid.rows);
+    grid.angle = params.flag("angle");
+    grid.torus = params.flag("torus");
+    grid.stepped = params.flag("nearest");
+    for (unsigned axis = 0; axis < 2; ++axis) {
+        const bool spread = at_border && counts[axis] > 1;
+        grid.step[axis] = size[axis] / (spread ? counts[axis] - 1 : counts[axis]);
+        grid.first[axis] =
+            params.vector2("centre")[axis] - size[axis] / 2 + (at_border ? 0 : grid.step[axis] / 2);
+    }
+    return std::make_shared<const GridField>(std::move(grid));
+}
+
+FieldPointer image_field(const Params& params) {
+    const Image image =
+        located(params, "path", [&] { return read_data_image(params.text("path")); });
+    SampleGrid grid{.columns = image.width, .rows = image.height};
+    grid.values =
+        located(params, "channel", [&] { return channel_values(image, params.text("channel")); });
+    const double low = params.number("low");
+    const double high = params.has("high")     ? params.number("high")
+                        : params.flag("angle") ? 360.0
+                                               : 1.0;
+    for (float& value : grid.values) {
+        value = static_cast<float>(low + (high - low) * double{value});
+        if (!std::isfinite(value))
+            throw params.error("path", "a pixel's value is too large");
+    }
+    return laid_out(params, std::move(grid), false);
+}
+
+Plugin<MakeField> image_plugin() {
+    ParamSpec high = value("high", "Value of a pixel of 1; 1 when not given, 360 for angles.", 1);
+    high.fallback = {};
+    high.optional = true;
+    return {"image",
+            "An image stretched over the ground, its top row on the far side (-z); data as stored, "
+            "without colour conversion, between pixels interpolated bilinearly.",
+            {{.name = "path", .type = ParamType::path, .doc = "A PNG, JPEG or EXR."},
+             extent("width", "Of the whole image along x."),
+             extent("depth", "Of the whole image along z."),
+             {.name = "channel",
+              .type = ParamType::choice,
+              .doc = "What to take of a pixel.",
+              .fallback = std::string("luminance"),
+              .choices = {"luminance", "r", "g", "b", "a"}},
+             value("low", "Value of a pixel of 0.", 0),
+             std::move(high),
+             angle_flag(),
+             nearest_flag(),
+             flag("torus", "The image repeats; otherwise its border goes on outside."),
+             centre("Where the middle of the image lies.")},
+            image_field};
+}
+
+FieldPointer function_field(const Params& params) {
+    SampleGrid grid = located(params, "value", [&] {
+        return parse_samples(params.text("value"), FunctionSamples::most);
+    });
+    return laid_out(params, std::move(grid), !params.flag("torus"));
+}
+
+Plugin<MakeField> function_plugin() {
+    return {"function",
+            "A function of the script, sampled on a grid when the script runs.",
+            {{.name = "value",
+              .type = ParamType::function,
+              .doc = "Gives the value at a point, in metres: function(x, z) return ... end."},
+             extent("width", "Of the grid along x; outside it the border's values go on."),
+             extent("depth", "Of the grid along z."),
+             {.name = "resolution",
+              .type = ParamType::integer,
+              .doc = "Samples along the longer side.",
+              .fallback = std::int64_t{FunctionSamples::usual},
+              .min = FunctionSamples::least,
+              .max = FunctionSamples::most},
+             angle_flag(),
+             nearest_flag(),
+             flag("torus", "The grid repeats."),
+             centre("Where the middle of the grid lies.")},
+            function_field};
+}
+
+Plugin<MakeField> gradient_plugin() {
+    return {"gradient",
+            "A ramp between two points, constant beyond them.",
+            {place("from", "Where it begins."), place("to", "Where it ends."),
+             value("low", "Value where it begins, and before.", 0),
+             value("high", "Value where it ends, and beyond.", 1),
+             flag("radial", "In circles about `from`, instead of straight across.")},
+            [](const Params& params) -> FieldPointer {
+                const Vec2& from = params.vector2("from");
+                const Vec2& to = params.vector2("to");
+                if (!((to - from).length() > 1e-9))
+                    throw params.error(
+                        "to", fmt::format("is the same point as from: {{{}, {}}}", to.x, to.y));
+                return std::make_shared<const GradientField>(
+                    from, to, Range{params.number("low"), params.number("high")},
+                    params.flag("radial"));
+            }};
+}
+
+Plugin<MakeField> whirl_plugin() {
+    return {"whirl",
+            "Directions about a centre, in degrees.",
+            {centre("Where the directions meet."),
+             // Declared without a unit: the field has degrees, as the script.
+             {.name = "turn",
+              .type = ParamType::number,
+              .doc = "Degrees from outwards: 0 gives rays, 90 circles, what is between spirals.",
+              .fallback = 90.0,
+              .min = -360.0,
+              .max = 360.0}},
+            [](const Params& params) -> FieldPointer {
+                return std::make_shared<const WhirlField>(params.vector2("centre"),
+                                                          params.number("turn"));
+            }};
+}
+
+} // namespace
+
+Registry<MakeField> field_table() {
+    Registry<MakeField> table("field");
+    table.add(image_plugin());
+    table.add(function_plugin());
+    table.add(gradient_plugin());
+    table.add(whirl_plugin());
+    return table;
+}
+
+} // namespace scree

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all components share: how they are declared and how they lie.
+#pragma once
+
+#include "shapes/table.h"
+
+namespace scree {
+
+/// A component plug-in. `shape` may build its mesh anywhere; it is moved so that its bounding box
+/// is centred on the y axis and its lowest point is at y = 0, and named after the component.
+Plugin<MakeMesh> component(std::string name, std::string doc, std::vector<ParamSpec> params,
+                           std::function<MakeMesh> shape);
+
+/// A length in metres, 0.1 mm to 100 m.
+ParamSpec metres(std::string name, std::string doc, double fallback);
+
+/// A length in metres that follows from others when it is not given.
+ParamSpec optional_metres(std::string name, std::string doc);
+
+/// A plain number in [min, max].
+ParamSpec ratio(std::string name, std::string doc, double fallback, double min, double max);
+
+/// An angle; all three in degrees, the shape sees radians.
+ParamSpec angle_degrees(std::string name, std::string doc, double fallback, double min, double max);
+
+/// A count in [min, max].
+ParamSpec count(std::string name, std::string doc, int fallback, int min, int max);
+
+/// The value of an optional length, or `otherwise`.
+double number_or(const Params& params, const std::string& name, double otherwise);
+
+Plugin<MakeMesh> plane_component();
+Plugin<MakeMesh> box_component();
+Plugin<MakeMesh> block_component();
+
+Plugin<MakeMesh> sphere_component();
+Plugin<MakeMesh> torus_component();
+Plugin<MakeMesh> cylinder_component();
+Plugin<MakeMesh> cone_component();
+Plugin<MakeMesh> ring_component();
+Plugin<MakeMesh> pin_component();
+Plugin<MakeMesh> cut_sphere_component();
+Plugin<MakeMesh> lathe_component();
+
+Plugin<MakeMesh> rice_component();
+Plugin<MakeMesh> banana_component();
+Plugin<MakeMesh> chestnut_component();
+
+Plugin<MakeMesh> bolt_component();
+Plugin<MakeMesh> nut_component();
+Plugin<MakeMesh> gear_component();
+
+Plugin<MakeMesh> l_brick_component();
+Plugin<MakeMesh> star_component();
+Plugin<MakeMesh> heart_component();
+Plugin<MakeMesh> crescent_component();
+Plugin<MakeMesh> letter_component();
+Plugin<MakeMesh> text_component();
+
+Plugin<MakeMesh> sheet_component();
+Plugin<MakeMesh> extrude_component();
+
+Plugin<MakeMesh> jack_component();
+Plugin<MakeMesh> duck_component();
+Plugin<MakeMesh> tree_component();
+
+} // namespace scree

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Components and brute-force measures for the tests of generator.pile.
+#pragma once
+
+#include "core/parallel.h"
+#include "generators/pile/pile_generator.h"
+#include "geometry/bodies/pile_kind.h"
+#include "tests/support/layout_params.h"
+#include "tests/support/plugin_params.h"
+
+#include "shapes/table.h"
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+namespace scree::tests {
+
+inline Mesh component_mesh(const std::string& name, const std::map<std::string, Value>& values) {
+    return make(component_table(), name, values);
+}
+
+inline PileComponent prepared(Mesh mesh, double thickness = 0) {
+    Prototype prototype;
+    prototype.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    return prepare_component(std::move(prototype), thickness);
+}
+
+/// Turned anyhow.
+inline PileKind kind_of(const Mesh& mesh, double spacing, double refine) {
+    return {.component = prepared(mesh),
+            .weight = 1,
+            .spacing = spacing,
+            .refine = refine,
+            .rotation = Vec3(2 * pi_f)};
+}
+
+/// Distance from p to a triangle, by Lagrange: the least of the plane's foot, where it is inside,
+/// and of the sides.
+inline double triangle_distance(const Imath::V3d& p, const std::array<Imath::V3d, 3>& v) {
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Imath::V3d& a = v[k];
+        const Imath::V3d ab = v[(k + 1) % 3] - a;
+        const double length2 = ab.length2();
+        const double t = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
+        least = std::min(least, (p - a - ab * t).length());
+    }
+    const Imath::V3d normal = (v[1] - v[0]).cross(v[2] - v[0]);
+    if (normal.length2() == 0)
+        return least;
+    for (std::size_t k = 0; k < 3; ++k)
+        if ((v[(k + 1) % 3] - v[k]).cross(p - v[k]).dot(normal) < 0)
+            return least;
+    return std::min(least, std::abs((p - v[0]).dot(normal)) / normal.length());
+}
+
+/// Signed distance to a closed mesh, negative inside: all triangles, and the solid angle that they
+/// fill seen from p (van Oosterom & Strackee 1983).
+inline double signed_distance(const Mesh& mesh, const Imath::V3d& p) {
+    double least = std::numeric_limits<double>::max();
+    double angle = 0;
+    for (const Mesh::Triangle& t : mesh.triangles) {
+        std::array<Imath::V3d, 3> v;
+        for (std::size_t k = 0; k < 3; ++k)
+            v[k] = Imath::V3d(mesh.positions[t[k]]);
+        least = std::min(least, triangle_distance(p, v));
+        const Imath::V3d a = v[0] - p, b = v[1] - p, c = v[2] - p;
+        const double la = a.length(), lb = b.length(), lc = c.length();
+        angle += 2 * std::atan2(a.dot(b.cross(c)),
+                                la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    }
+    return std::abs(angle) > 2 * pi ? -least : least;
+}
+
+inline Params pile_component(const Mesh& mesh) {
+    for (const ParamSpec& spec : pile_plugin().params)
+        if (spec.name == "components") {
+            Params params = defaults(spec.fields, "generator.pile.components[1]");
+            params.set("shape", std::make_shared<const Mesh>(mesh), {"scene.lua", 20});
+            return params;
+        }
+    return {};
+}
+
+/// One pass.
+inline Params pile_params(const Mesh& target, std::vector<Params> components) {
+    Params params = defaults(pile_plugin().params, "generator.pile");
+    params.set("target", std::make_shared<const Mesh>(target), {"scene.lua", 9});
+    params.set("components", std::make_shared<const std::vector<Params>>(std::move(components)),
+               {"scene.lua", 10});
+    params.set("cover", 0.0);
+    return params;
+}
+
+inline double fact(const Aggregate& aggregate, const std::string& name) {
+    for (const auto& [key, value] : aggregate.facts)
+        if (key == name)
+            return value;
+    throw std::logic_error("there is no fact " + name);
+}
+
+/// Expects instances of the same bytes from all that `bake()` makes on 1, 2 and 7 threads.
+template <class Bake>
+void expect_same_on_any_threads(const Bake& bake) {
+    std::vector<Aggregate> piles;
+    for (const int threads : {1, 2, 7}) {
+        const ThreadLimit limit(threads);
+        piles.push_back(bake());
+    }
+    for (const Aggregate& pile : piles) {
+        ASSERT_EQ(pile.instances.size(), piles[0].instances.size());
+        for (std::size_t i = 0; i < pile.instances.size(); ++i)
+            ASSERT_EQ(std::memcmp(&pile.instances[i].world_from_object,
+                                  &piles[0].instances[i].world_from_object, sizeof(Matrix)),
+                      0);
+    }
+}
+
+} // namespace scree::tests
