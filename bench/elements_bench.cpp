@@ -6,6 +6,7 @@
 //   elements_bench [modes|small|table|peers ...]     all unless named
 #include "bench/measure.h"
 #include "bench/peers.h"
+#include "bench/tables.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "scenes/reader/description.h"
@@ -203,16 +204,11 @@ void print_peers() {
 } // namespace
 
 int main(int count, char** arguments) {
-    std::setvbuf(stdout, nullptr, _IOLBF, 0); // lines appear as they are measured
-    const std::set<std::string> named(arguments + 1, arguments + count);
-    const auto wanted = [&](const char* name) { return named.empty() || named.contains(name); };
     const ThreadLimit one_thread(1);
-    if (wanted("modes"))
-        print_modes();
-    if (wanted("small"))
-        print_small();
-    if (wanted("table"))
-        print_table();
-    if (wanted("peers"))
-        print_peers();
+    return bench::run_tables(
+        count, arguments,
+        {{"modes", "samples per second by kind of set, and what is left uncovered", print_modes},
+         {"small", "sets of 500 samples, and the refilling of a hole", print_small},
+         {"table", "Table 1 of Kita & Miyata (2012)", print_table},
+         {"peers", "other programs' sets, where they are installed", print_peers}});
 }

@@ -4,6 +4,7 @@
 // stated, medians of five.
 //   layout_bench [queries|methods|figures|candidates|table|growth ...]     all unless named
 #include "bench/measure.h"
+#include "bench/tables.h"
 #include "core/device.h"
 #include "core/parallel.h"
 #include "generators/layout/gap_field.h"
@@ -302,37 +303,45 @@ void print_growth() {
     }
 }
 
+void print_all_queries() {
+    for (const Shape& shape : shapes())
+        print_queries(shape);
+}
+
+void print_all_methods() {
+    std::unique_ptr<Device> device;
+    if (!Device::names().empty())
+        device = std::make_unique<Device>();
+    print_header("naive 1,000,000");
+    for (const Shape& shape : shapes())
+        print_methods(shape, device.get());
+    for (const Shape& shape : shapes())
+        print_torus_fill(shape);
+}
+
+void print_figures() {
+    print_cancellations(table_cases().back());
+    for (std::size_t i = 0; i < 3; ++i)
+        print_cancellations(table_cases()[i]);
+}
+
+/// On one thread.
+std::function<void()> alone(void (*print)()) {
+    return [print] {
+        const ThreadLimit one_thread(1);
+        print();
+    };
+}
+
 } // namespace
 
 int main(int count, char** arguments) {
-    std::setvbuf(stdout, nullptr, _IOLBF, 0); // lines appear as they are measured
-    const std::set<std::string> named(arguments + 1, arguments + count);
-    const auto wanted = [&](const char* name) { return named.empty() || named.contains(name); };
-    {
-        const ThreadLimit one_thread(1);
-        if (wanted("queries"))
-            for (const Shape& shape : shapes())
-                print_queries(shape);
-        if (wanted("methods")) {
-            std::unique_ptr<Device> device;
-            if (!Device::names().empty())
-                device = std::make_unique<Device>();
-            print_header("naive 1,000,000");
-            for (const Shape& shape : shapes())
-                print_methods(shape, device.get());
-            for (const Shape& shape : shapes())
-                print_torus_fill(shape);
-        }
-        if (wanted("figures")) {
-            print_cancellations(table_cases().back());
-            for (std::size_t i = 0; i < 3; ++i)
-                print_cancellations(table_cases()[i]);
-        }
-        if (wanted("candidates"))
-            print_candidates();
-        if (wanted("table"))
-            print_table();
-    }
-    if (wanted("growth"))
-        print_growth();
+    return bench::run_tables(
+        count, arguments,
+        {{"queries", "time of an overlap test by shape", alone(print_all_queries)},
+         {"methods", "naive, fill_gap and saturated: count and time", alone(print_all_methods)},
+         {"figures", "counts by cancellations (Sakurai & Miyata 2014)", alone(print_figures)},
+         {"candidates", "what the candidates of fill_gap bring", alone(print_candidates)},
+         {"table", "the paper's table", alone(print_table)},
+         {"growth", "time by the number of elements, on all threads", print_growth}});
 }

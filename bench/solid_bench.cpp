@@ -5,6 +5,7 @@
 #include "bench/gather_limit.h"
 #include "bench/measure.h"
 #include "bench/solid_pictures.h"
+#include "bench/tables.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "procedurals/solid/lattice/fractal_lattice.h"
@@ -172,20 +173,18 @@ void print_throughput() {
 } // namespace
 
 int main(int count, char** arguments) {
-    std::setvbuf(stdout, nullptr, _IOLBF, 0); // lines appear as they are measured
-    const std::set<std::string> named(arguments + 1, arguments + count);
-    const auto wanted = [&](const char* name) { return named.empty() || named.contains(name); };
-    if (wanted("lattices"))
-        print_lattices();
-    if (wanted("throughput"))
-        print_throughput();
-    const ThreadLimit one_thread(1);
-    if (wanted("antialiasing"))
-        bench::print_antialiasing();
-    if (wanted("floor"))
-        bench::print_floor();
-    if (wanted("shading"))
-        bench::print_shading();
-    if (wanted("table"))
-        bench::print_table_1();
+    const auto alone = [](void (*print)()) {
+        return [print] {
+            const ThreadLimit one_thread(1);
+            print();
+        };
+    };
+    return bench::run_tables(
+        count, arguments,
+        {{"lattices", "how long lattices take to make", print_lattices},
+         {"throughput", "points per second, of the limit of gathering", print_throughput},
+         {"antialiasing", "errors of a pixel of 8 cells", alone(bench::print_antialiasing)},
+         {"floor", "errors of a marble floor by rows", alone(bench::print_floor)},
+         {"shading", "cost of textures in a render", alone(bench::print_shading)},
+         {"table", "Table 1 of Okada et al. (1987)", alone(bench::print_table_1)}});
 }

@@ -2,7 +2,6 @@
 #include "session/session.h"
 
 #include "scenes/reader/scene.h"
-#include "session/catalog.h"
 #include "session/show_pictures.h"
 
 #include <fmt/format.h>
@@ -36,9 +35,9 @@ const Cancel& Session::never() {
     return cancel;
 }
 
-Session::Session(SessionOptions options, Watcher& watcher, const Cancel& cancel)
+Session::Session(SessionOptions options, Watcher& watcher, const Cancel& cancel, Catalog catalog)
     : options_(std::move(options)), watcher_(watcher), cancel_(cancel), threads_(options_.threads),
-      catalog_(standard_catalog()) {}
+      catalog_(std::move(catalog)) {}
 
 DescriptionNode Session::description() const {
     return read_description(options_.path, options_.overrides, catalog_.constructor_families());

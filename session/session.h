@@ -5,9 +5,9 @@
 
 #include "core/device.h"
 #include "core/parallel.h"
-#include "model/catalog.h"
 #include "model/scene.h"
 #include "scenes/reader/description.h"
+#include "session/catalog.h"
 #include "session/stages.h"
 #include "session/watcher.h"
 
@@ -27,11 +27,13 @@ struct SessionOptions {
 /// The steps from a file to a finished scene. While it lives, its number of threads is the limit.
 class Session {
   public:
-    /// Nobody watches, and nothing cancels.
-    explicit Session(SessionOptions options) : Session(std::move(options), nobody(), never()) {}
+    /// Nobody watches, and nothing cancels. The catalog holds what the scene can name.
+    explicit Session(SessionOptions options, Catalog catalog = standard_catalog())
+        : Session(std::move(options), nobody(), never(), std::move(catalog)) {}
 
     /// `watcher` and `cancel` must outlive this.
-    Session(SessionOptions options, Watcher& watcher, const Cancel& cancel);
+    Session(SessionOptions options, Watcher& watcher, const Cancel& cancel,
+            Catalog catalog = standard_catalog());
 
     /// Reads the scene.
     DescriptionNode description() const;

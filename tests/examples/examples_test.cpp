@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The examples of docs/architecture.md in use: added to a catalog and tables at run time.
+#include "core/file.h"
+#include "formats/table.h"
+#include "model/generator.h"
+#include "model/procedural.h"
+#include "model/table.h"
+#include "scenes/reader/scene.h"
+#include "session/catalog.h"
+#include "session/export_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <unistd.h>
+
+namespace scree {
+
+Plugin<Bake> line_plugin();
+Plugin<MakeProcedural> layers_plugin();
+SceneFormat csv_format();
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A scene that uses the examples' generator and procedural.
+const char* const script = R"(
+local stripes = material.matte { color = procedural.layers { thickness = 0.02 } }
+return scene { objects = {
+  generator.line { shape = mesh.box { width = 0.05 }, step = 0.2, count = 4 },
+  object { shape = mesh.sphere {}, material = stripes } } }
+)";
+
+std::string temporary_file(const std::string& ending) {
+    const std::string name = "example_" + std::to_string(getpid()) + ending;
+    return (fs::path(testing::TempDir()) / name).string();
+}
+
+/// What `use` makes of the session and its scene.
+template <typename Use>
+auto with_baked(Use use) {
+    Catalog catalog = standard_catalog();
+    Registry<Bake> generators("generator");
+    generators.add(line_plugin());
+    catalog.add(generator_items(generators));
+    Registry<MakeProcedural> procedurals("procedural");
+    procedurals.add(layers_plugin());
+    catalog.add(procedurals);
+
+    const std::string path = temporary_file(".lua");
+    write_file(path, script);
+    Session session({.path = path}, catalog);
+    Scene scene = session.bake(session.load());
+    fs::remove(path);
+    return use(session, std::move(scene));
+}
+
+Scene baked() {
+    return with_baked([](Session& /*session*/, Scene scene) { return scene; });
+}
+
+TEST(Examples, TheGeneratorPlacesItsCopies) {
+    const Scene scene = baked();
+    ASSERT_EQ(scene.aggregates.size(), 2U);
+    const Aggregate& line = scene.aggregates.front();
+    ASSERT_EQ(line.instances.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_FLOAT_EQ(line.instances[i].world_from_object[3][0], 0.2F * float(i));
+}
+
+TEST(Examples, TheProceduralIsFilteredOverThePixel) {
+    const Scene scene = baked();
+    const Material& material = *scene.aggregates[1].prototypes[0].material;
+    const Procedural& layers = *paint_of(material)->texture.procedural;
+    EXPECT_TRUE(layers.solid());
+    ShadingPoint point;
+    point.position = {0, 0.005F, 0};
+    ShadingSample sharp;
+    layers.evaluate({&point, 1}, {&sharp, 1});
+    EXPECT_NEAR(sharp.value, 1, 1e-4);
+    point.footprint = 1;
+    ShadingSample blurred;
+    layers.evaluate({&point, 1}, {&blurred, 1});
+    EXPECT_NEAR(blurred.value, 0.5, 1e-4);
+}
+
+TEST(Examples, TheFormatWritesWhatWasGenerated) {
+    const std::string path = temporary_file(".csv");
+    with_baked([&](Session& session, Scene scene) {
+        const std::vector<SceneFormat> formats{csv_format()};
+        const SceneFormat& format = scene_format(formats, path);
+        export_scene(session, std::move(scene), format, path, 0, {});
+    });
+    EXPECT_EQ(read_file(path), "name,x,y,z\n"
+                               "copy,0,0,0\n"
+                               "copy,0.2,0,0\n"
+                               "copy,0.4,0,0\n"
+                               "copy,0.6,0,0\n");
+    fs::remove(path);
+}
+
+} // namespace
+} // namespace scree
