@@ -16,11 +16,13 @@ struct FabricationOptions {
     std::size_t memory = 0; // most to use [bytes]; 0: what the machine has available
 };
 
-/// A component that is not the surface of a solid: it has a border, or no mesh at all.
+/// A component that is not the surface of a solid: it has a border, or is of strands, or there is
+/// no shape at all.
 struct OpenComponent {
     std::size_t aggregate = 0; // index
     std::string name;
     bool has_mesh = true;
+    bool has_strands = false;
     MeshFacts facts;
     std::size_t instances = 0;
 };

@@ -34,10 +34,16 @@ std::vector<OpenComponent> open_components(std::span<const Aggregate> aggregates
             const Prototype& prototype = aggregates[a].prototypes[p];
             if (instances[p] == 0)
                 continue;
-            OpenComponent component{a, prototype.name, prototype.mesh != nullptr, {}, instances[p]};
-            if (prototype.mesh)
-                component.facts = inspect(*prototype.mesh);
-            if (!prototype.mesh || !component.facts.closed())
+            const Mesh* mesh = prototype.mesh();
+            OpenComponent component{.aggregate = a,
+                                    .name = prototype.name,
+                                    .has_mesh = mesh != nullptr,
+                                    .has_strands = prototype.strands() != nullptr,
+                                    .facts = {},
+                                    .instances = instances[p]};
+            if (mesh != nullptr)
+                component.facts = inspect(*mesh);
+            if (mesh == nullptr || !component.facts.closed())
                 out.push_back(component);
         }
     }
@@ -49,7 +55,7 @@ std::vector<Solid> closed_solids(std::span<const Aggregate> aggregates) {
     std::map<const Mesh*, bool> closed; // prototypes may share a mesh
     for (const Aggregate& aggregate : aggregates)
         for (const Instance& instance : aggregate.instances) {
-            const Mesh* mesh = aggregate.prototypes[instance.prototype].mesh.get();
+            const Mesh* mesh = aggregate.prototypes[instance.prototype].mesh();
             if (mesh == nullptr)
                 continue;
             const auto [known, is_new] = closed.try_emplace(mesh);

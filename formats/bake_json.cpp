@@ -40,8 +40,11 @@ Json matrix_json(const Matrix& m) {
 }
 
 Json prototype_json(const Prototype& prototype) {
-    Json out{{"name", prototype.name},
-             {"triangles", prototype.mesh ? prototype.mesh->triangles.size() : 0}};
+    Json out{{"name", prototype.name}};
+    if (const Strands* strands = prototype.strands())
+        out["strands"] = strands->count();
+    else
+        out["triangles"] = prototype.mesh() != nullptr ? prototype.mesh()->triangles.size() : 0;
     if (prototype.region)
         out["region"] = rings_json(*prototype.region);
     return out;

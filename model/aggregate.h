@@ -4,22 +4,37 @@
 #include "core/error.h"
 #include "core/picture.h"
 #include "geometry/mesh/mesh.h"
+#include "geometry/mesh/strands.h"
 #include "geometry/plane/height_field.h"
 #include "geometry/plane/region.h"
 #include "model/material.h"
 
 #include <memory>
 #include <utility>
+#include <variant>
 
 namespace scree {
 
-/// One component shape, shared by its instances.
+/// What a component looks like; a null mesh is nothing to see.
+using Shape = std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const Strands>>;
+
+/// One component, shared by its instances.
 struct Prototype {
-    std::string name;
-    std::shared_ptr<const Mesh> mesh;         // in its own frame [m]
-    std::shared_ptr<const Region> region;     // exclusive region, when the generator has one
-    std::shared_ptr<const Material> material; // null: grey matte
-    std::shared_ptr<const Picture> picture{}; // what it looks like from above, when it is one
+    std::string name{};
+    Shape shape{};                              // in its own frame [m]
+    std::shared_ptr<const Region> region{};     // exclusive region, when the generator has one
+    std::shared_ptr<const Material> material{}; // null: grey matte
+    std::shared_ptr<const Picture> picture{};   // what it looks like from above, when it is one
+
+    /// Null when the shape is of another kind, or there is none.
+    const Mesh* mesh() const {
+        const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&shape);
+        return mesh == nullptr ? nullptr : mesh->get();
+    }
+    const Strands* strands() const {
+        const auto* strands = std::get_if<std::shared_ptr<const Strands>>(&shape);
+        return strands == nullptr ? nullptr : strands->get();
+    }
 };
 
 /// One element of an aggregate.

@@ -56,6 +56,8 @@ void say_removed(const Fabrication& made, Watcher& watcher) {
 }
 
 std::string problem_of(const OpenComponent& component) {
+    if (component.has_strands)
+        return fmt::format("{} is of strands, which solids are not made of yet", component.name);
     if (!component.has_mesh)
         return fmt::format("{} is a picture and has no solid", component.name);
     if (component.facts.boundary_edges > 0)

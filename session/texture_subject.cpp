@@ -26,10 +26,14 @@ std::shared_ptr<const Procedural> procedural_of(const Prototype& prototype) {
     return paint == nullptr || !paint->palette.empty() ? nullptr : paint->texture.procedural;
 }
 
+bool has_shape(const Prototype& prototype) {
+    return prototype.mesh() != nullptr || prototype.strands() != nullptr;
+}
+
 std::vector<std::uint32_t> textured_prototypes(const Aggregate& aggregate) {
     std::vector<std::uint32_t> out;
     for (std::uint32_t i = 0; i < aggregate.prototypes.size(); ++i)
-        if (aggregate.prototypes[i].mesh && !aggregate.prototypes[i].picture &&
+        if (has_shape(aggregate.prototypes[i]) && !aggregate.prototypes[i].picture &&
             procedural_of(aggregate.prototypes[i]))
             out.push_back(i);
     return out;
@@ -88,10 +92,13 @@ TextureSubject texture_subject(const std::string& scene_path, const Scene& scene
                                            found.size()),
                                "put the one you want into an object { shape, material }"});
     const Prototype& prototype = aggregate.prototypes[found.front()];
+    if (prototype.strands() != nullptr)
+        throw Error(Diagnostic{aggregate.where, is_object ? "object.shape" : kind,
+                               prototype.name + " is of strands; a texture needs a mesh", ""});
     TextureSubject subject;
     subject.where = aggregate.where;
     subject.kind = kind;
-    subject.source.mesh = prototype.mesh;
+    subject.source.mesh = std::get<std::shared_ptr<const Mesh>>(prototype.shape);
     subject.source.procedural = procedural_of(prototype);
     subject.source.roughness = own_roughness(*prototype.material);
     std::vector<const Instance*> places;

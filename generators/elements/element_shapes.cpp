@@ -16,16 +16,16 @@ namespace scree {
 namespace {
 
 void read_mesh(const Params& component, Prototype& prototype) {
-    prototype.mesh = component.object<Mesh>("shape");
+    prototype.shape = component.object<Mesh>("shape");
     if (!component.has("region"))
         prototype.region = located(component, "shape", [&] {
-            return std::make_shared<const Region>(silhouette(*prototype.mesh));
+            return std::make_shared<const Region>(silhouette(*prototype.mesh()));
         });
 }
 
 void read_picture(const Params& component, Prototype& prototype) {
     PictureShape shape = picture_shape(component);
-    prototype.mesh = std::move(shape.mesh);
+    prototype.shape = std::move(shape.mesh);
     prototype.region = std::move(shape.region);
     prototype.picture = std::move(shape.picture);
 }
@@ -45,12 +45,12 @@ Prototype read_prototype(const Params& component, std::size_t index) {
         read_mesh(component, prototype);
     } else {
         prototype.region = component.object<Region>("shape");
-        prototype.mesh = std::make_shared<const Mesh>(
+        prototype.shape = std::make_shared<const Mesh>(
             flat_mesh(*prototype.region, fmt::format("component_{}", index)));
     }
     if (prototype.region == nullptr)
         prototype.region = component.object<Region>("region");
-    prototype.name = prototype.mesh->name;
+    prototype.name = prototype.mesh()->name;
     prototype.material = component.object<Material>("material");
     return prototype;
 }

@@ -46,12 +46,12 @@ Components components_from(const std::vector<Params>& components, Margins margin
             throw component.error(component.has("region") ? "region" : "shape",
                                   "the region has no area");
         if (component.object<Mesh>("shape") != nullptr) {
-            prototype.mesh = component.object<Mesh>("shape");
+            prototype.shape = component.object<Mesh>("shape");
         } else {
-            prototype.mesh = std::make_shared<Mesh>(
+            prototype.shape = std::make_shared<Mesh>(
                 flat_mesh(*component.object<Region>("shape"), fmt::format("component_{}", i)));
         }
-        prototype.name = prototype.mesh->name;
+        prototype.name = prototype.mesh()->name;
         if (margins == Margins::by_place && component.number("margin") < 0)
             throw component.error("margin", "is below 0; a margin that the layout's density "
                                             "multiplies can only grow the region");

@@ -43,8 +43,8 @@ Vec3 rotation_of(const Params& params, const Params& component) {
 
 std::vector<Prototype> prototypes_of(const Params& component, std::uint64_t seed) {
     Prototype prototype;
-    prototype.mesh = component.object<Mesh>("shape");
-    prototype.name = prototype.mesh->name;
+    prototype.shape = component.object<Mesh>("shape");
+    prototype.name = prototype.mesh()->name;
     prototype.material = component.object<Material>("material");
     if (!component.has("variation"))
         return {prototype};
@@ -61,8 +61,8 @@ std::vector<Prototype> prototypes_of(const Params& component, std::uint64_t seed
                               "expected bend, twist, stretch or scale");
     std::vector<Prototype> shapes(variation.shapes, prototype);
     for (std::uint32_t i = 0; i < variation.shapes; ++i) {
-        shapes[i].mesh = std::make_shared<const Mesh>(located(
-            given, "bend", [&] { return varied_shape(*prototype.mesh, variation, seed, i); }));
+        shapes[i].shape = std::make_shared<const Mesh>(located(
+            given, "bend", [&] { return varied_shape(*prototype.mesh(), variation, seed, i); }));
         shapes[i].name = fmt::format("{}_{}", prototype.name, i + 1);
     }
     return shapes;

@@ -35,7 +35,7 @@ class Refinement {
                 largest = std::max(largest, double(ball.radius));
         for (const PileKind& kind : kinds) {
             std::vector<Vec3> corners;
-            for (const Vec3& p : kind.component.prototype.mesh->positions)
+            for (const Vec3& p : kind.component.prototype.mesh()->positions)
                 corners.push_back(p - kind.component.origin);
             corners_.emplace_back(corners, grid_step * kind.component.radius, largest);
             doubt_ =

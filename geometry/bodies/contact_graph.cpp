@@ -32,7 +32,7 @@ class ContactFinder {
     ContactFinder(const Pile& pile, double tolerance) : pile_(pile), tolerance_(tolerance) {
         for (const PileKind& kind : pile.kinds) {
             const PileComponent& component = kind.component;
-            mass_centres_.push_back(mass_centre(*component.prototype.mesh, component.skin == 0) -
+            mass_centres_.push_back(mass_centre(*component.prototype.mesh(), component.skin == 0) -
                                     Vec3d(component.origin));
         }
     }

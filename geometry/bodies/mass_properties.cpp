@@ -30,7 +30,7 @@ struct Moments {
 } // namespace
 
 MassProperties mass_properties(const PileComponent& component) {
-    const Mesh& mesh = *component.prototype.mesh;
+    const Mesh& mesh = *component.prototype.mesh();
     const double thickness = 2 * component.skin;
     Moments moments;
     for (const Mesh::Triangle& t : mesh.triangles) {

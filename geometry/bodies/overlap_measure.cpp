@@ -15,7 +15,7 @@ namespace {
 // Points evenly at random inside of a component; fewer where it fills next to nothing of its box.
 std::vector<Vec3> points_inside(const PileComponent& component, std::size_t count) {
     Box3 box;
-    for (const Vec3& p : component.prototype.mesh->positions)
+    for (const Vec3& p : component.prototype.mesh()->positions)
         box.extendBy(p - component.origin);
     const Vec3 size = box.size();
     Random random(0, Purpose::pile_inside);

@@ -95,7 +95,7 @@ std::vector<Ball> points_as_balls(const std::vector<Vec3>& points, double radius
 
 void complete_sheet(PileComponent& component) {
     const double thickness = 2 * component.skin;
-    const Mesh own = moved(*component.prototype.mesh, component.origin);
+    const Mesh own = moved(*component.prototype.mesh(), component.origin);
     component.distance = SignedDistanceGrid(own, thickness / 2.5, thickness);
     std::vector<Vec3> points =
         surface_points(own, std::max(thickness / 2, spacing_for(own, most_samples))).positions;
@@ -107,7 +107,7 @@ void complete_sheet(PileComponent& component) {
 }
 
 ComponentDraft draft_sheet(PileComponent component, double thickness) {
-    const Mesh& mesh = *component.prototype.mesh;
+    const Mesh& mesh = *component.prototype.mesh();
     component.radius = thickness / 2;
     component.skin = thickness / 2;
     component.distribution_radius = std::sqrt(area(mesh) / pi) / 4;
@@ -141,7 +141,7 @@ InnerBalls inner_balls(const Mesh& mesh) {
 
 void complete_solid(PileComponent& component, const InnerBalls& inner) {
     const Vec3 origin = component.origin;
-    const Mesh own = moved(*component.prototype.mesh, origin);
+    const Mesh own = moved(*component.prototype.mesh(), origin);
     // No ball of another that touches it has its centre farther away, if it is not the larger one.
     component.distance = SignedDistanceGrid(own, grid_step * component.radius, 0, most_grid_samples,
                                             component.radius);
@@ -170,7 +170,7 @@ void complete_solid(PileComponent& component, const InnerBalls& inner) {
 }
 
 ComponentDraft draft_solid(PileComponent component) {
-    InnerBalls inner = inner_balls(*component.prototype.mesh);
+    InnerBalls inner = inner_balls(*component.prototype.mesh());
     component.radius = double(inner.largest.radius);
     component.distribution_radius = component.radius / 2;
     component.origin = inner.largest.centre;
@@ -181,13 +181,13 @@ ComponentDraft draft_solid(PileComponent component) {
 } // namespace
 
 ComponentDraft draft_component(Prototype prototype, double thickness) {
-    check(*prototype.mesh, thickness);
+    check(*prototype.mesh(), thickness);
     PileComponent component;
     component.prototype = std::move(prototype);
     ComponentDraft draft = thickness > 0 ? draft_sheet(std::move(component), thickness)
                                          : draft_solid(std::move(component));
     PileComponent& begun = draft.component;
-    for (const Vec3& p : begun.prototype.mesh->positions)
+    for (const Vec3& p : begun.prototype.mesh()->positions)
         begun.reach = std::max(begun.reach, double((p - begun.origin).length()));
     begun.reach += thickness / 2;
     return draft;

@@ -55,6 +55,15 @@ float largest(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), st
 // Pharr, Jakob & Humphreys 2016, section 3.9), twice over for safety.
 constexpr float rounding = 0x1p-18F;
 
+/// Null where there is nothing to see.
+const Mesh* mesh_to_draw(const Aggregate& aggregate, const Prototype& prototype) {
+    if (prototype.strands() != nullptr)
+        throw Error(Diagnostic{aggregate.where, aggregate.generator,
+                               prototype.name + " is of strands, which cannot be rendered yet",
+                               ""});
+    return prototype.mesh();
+}
+
 Box3 bounds_of(RTCScene scene) {
     RTCBounds box{};
     rtcGetSceneBounds(scene, &box);
@@ -184,14 +193,14 @@ void World::State::add_prototypes(std::span<const Aggregate> aggregates, const C
     materials.push_back(std::make_shared<const Material>(Matte{}));
     for (const Aggregate& aggregate : aggregates)
         for (const Prototype& prototype : aggregate.prototypes) {
-            const Mesh* mesh = prototype.mesh.get();
+            const Mesh* mesh = mesh_to_draw(aggregate, prototype);
             const auto [number, is_new] = numbers.try_emplace(
                 prototype.material.get(), static_cast<std::uint32_t>(materials.size()));
             if (is_new)
                 materials.push_back(prototype.material);
             prototypes.push_back({mesh, nullptr, number->second, false, nullptr});
             if (mesh != nullptr && !mesh->triangles.empty() && shared.try_emplace(mesh).second)
-                meshes.push_back(prototype.mesh);
+                meshes.push_back(std::get<std::shared_ptr<const Mesh>>(prototype.shape));
         }
     parallel_for(meshes.size(), 1, [&](std::size_t i) {
         if (context.cancel == nullptr || !context.cancel->requested())

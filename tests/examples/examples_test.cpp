@@ -93,10 +93,10 @@ TEST(Examples, TheFormatWritesWhatWasGenerated) {
         export_scene(session, std::move(scene), format, path, 0, {});
     });
     EXPECT_EQ(read_file(path), "name,x,y,z\n"
-                               ",0,0,0\n"
-                               ",0.2,0,0\n"
-                               ",0.4,0,0\n"
-                               ",0.6,0,0\n");
+                               "copy,0,0,0\n"
+                               "copy,0.2,0,0\n"
+                               "copy,0.4,0,0\n"
+                               "copy,0.6,0,0\n");
     fs::remove(path);
 }
 

@@ -22,7 +22,7 @@ inline Mesh component_mesh(const std::string& name, const std::map<std::string, 
 
 inline PileComponent prepared(Mesh mesh, double thickness = 0) {
     Prototype prototype;
-    prototype.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    prototype.shape = std::make_shared<const Mesh>(std::move(mesh));
     return prepare_component(std::move(prototype), thickness);
 }
 

@@ -86,7 +86,7 @@ struct Stage {
         Aggregate aggregate;
         aggregate.generator = "object";
         Prototype prototype;
-        prototype.mesh = std::make_shared<Mesh>(mesh);
+        prototype.shape = std::make_shared<Mesh>(mesh);
         prototype.material = std::make_shared<const Material>(material);
         aggregate.prototypes.push_back(prototype);
         Instance instance;

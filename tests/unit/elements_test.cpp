@@ -310,7 +310,7 @@ TEST(Elements, MayBePicturesOverABackground) {
     const Aggregate aggregate = bake(params);
     EXPECT_GT(aggregate.instances.size(), 50U);
     const Prototype& prototype = aggregate.prototypes[0];
-    ASSERT_TRUE(prototype.picture && prototype.region && prototype.mesh);
+    ASSERT_TRUE(prototype.picture && prototype.region && prototype.mesh());
     const Vec2 size = bounds(*prototype.region).size();
     EXPECT_NEAR(std::max(size.x, size.y), 0.1, 1e-9);
     ASSERT_TRUE(aggregate.background);

@@ -206,10 +206,15 @@ TEST(Fabrication, OpenComponentsAreNamedAndLeftOut) {
     Aggregate aggregate = two_balls(0.012F);
     aggregate.prototypes.push_back(component("plane", {}));
     aggregate.instances.push_back(instance(1, placed({0, 0, 0})));
+    aggregate.prototypes.push_back({.name = "hair", .shape = std::make_shared<Strands>()});
+    aggregate.instances.push_back(instance(2, placed({0, 0, 0})));
     const std::vector<OpenComponent> open = open_components({&aggregate, 1});
-    ASSERT_EQ(open.size(), 1U);
+    ASSERT_EQ(open.size(), 2U);
     EXPECT_EQ(open[0].name, "plane");
     EXPECT_GT(open[0].facts.boundary_edges, 0U);
+    EXPECT_FALSE(open[0].has_strands);
+    EXPECT_EQ(open[1].name, "hair");
+    EXPECT_TRUE(open[1].has_strands);
     FabricationOptions options;
     options.resolution = 0.5 * mm;
     EXPECT_EQ(made_of(aggregate, options).solids, 2U);

@@ -59,6 +59,16 @@ std::string message(const std::string& text) {
     return "no error";
 }
 
+TEST(BakeJson, CountsTheStrandsOfAPrototype) {
+    auto strands = std::make_shared<Strands>();
+    strands->offsets = {0, 2, 5};
+    Aggregate aggregate;
+    aggregate.prototypes.push_back({.name = "hair", .shape = strands});
+    const std::string text = bake_json({&aggregate, 1}, {"s.lua", 7});
+    EXPECT_NE(text.find("\"strands\": 2"), std::string::npos) << text;
+    EXPECT_EQ(text.find("triangles"), std::string::npos);
+}
+
 TEST(ReadBakeJson, GivesBackWhatWasWritten) {
     for (const bool torus : {false, true}) {
         const Aggregate written = two_frames(torus);

@@ -307,7 +307,7 @@ TEST_P(Preset, IsTheSameOnAnyNumberOfThreads) {
                std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
     };
     EXPECT_TRUE(same_bytes(made[0].height->image.pixels, made[1].height->image.pixels));
-    const Mesh &a = *made[0].prototypes[0].mesh, &b = *made[1].prototypes[0].mesh;
+    const Mesh &a = *made[0].prototypes[0].mesh(), &b = *made[1].prototypes[0].mesh();
     EXPECT_TRUE(same_bytes(a.positions, b.positions));
     EXPECT_TRUE(same_bytes(a.normals, b.normals));
     EXPECT_TRUE(same_bytes(a.triangles, b.triangles));
@@ -367,7 +367,7 @@ TEST(Leather, TheFileHoldsTheHeightsOfTheSwatchThatIsRendered) {
     const HeightField map = read_height(path);
     const Image raw = read_image(path);
     std::filesystem::remove(path);
-    const Mesh& mesh = *made.prototypes[0].mesh;
+    const Mesh& mesh = *made.prototypes[0].mesh();
     ASSERT_EQ(mesh.positions.size(), 129U * 129);
     std::size_t centres = 0;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -389,7 +389,7 @@ TEST(Leather, TheSwatchHasCutEdgesWhenItIsThick) {
     Params params = leather("pebbled", 64);
     params.set("thickness", 0.002);
     params.set("triangles", std::int64_t{2 * 64 * 64});
-    const Mesh mesh = *leather_plugin().make(params, {}).prototypes[0].mesh;
+    const Mesh mesh = *leather_plugin().make(params, {}).prototypes[0].mesh();
     EXPECT_EQ(mesh.triangles.size(), 2U * 64 * 64 + 4 * 2 * 64);
     const Box3 box = bounds(mesh);
     EXPECT_EQ(box.min.y, 0);

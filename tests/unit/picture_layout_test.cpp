@@ -52,7 +52,7 @@ Aggregate arrows(bool torus, const test::Folder& folder, std::uint64_t seed = 1)
         const PictureShape shape = picture_shape(read_picture(folder.file(name), 300), 0.08);
         aggregate.prototypes.push_back({name, shape.mesh, shape.region, {}, shape.picture});
     }
-    aggregate.prototypes.push_back({"plain", nullptr, rectangle(0.05, 0.02), {}, nullptr});
+    aggregate.prototypes.push_back({"plain", {}, rectangle(0.05, 0.02), {}, nullptr});
     Random random(seed, Purpose::test, 0);
     for (std::uint32_t i = 0; i < 30; ++i) {
         const double angle = random.uniform(0, 2 * pi);

@@ -33,7 +33,7 @@ TEST(PileComponent, LargestBallOfASphere) {
 
 TEST(PileComponent, LargestBallOfAGrainIsNoSmallerThanAnyFoundByTrying) {
     const PileComponent grain = prepared(rice());
-    const Mesh& mesh = *grain.prototype.mesh;
+    const Mesh& mesh = *grain.prototype.mesh();
     EXPECT_NEAR(-tests::signed_distance(mesh, Imath::V3d(grain.origin)), grain.radius,
                 1e-4 * grain.radius);
     const Box3 box = bounds(mesh);
@@ -79,7 +79,7 @@ TEST(PileComponent, DistanceFarAwayIsABoundFromBelow) {
         const Imath::V3d p(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02),
                            random.uniform(-0.02, 0.02));
         const double truth =
-            tests::signed_distance(*grain.prototype.mesh, p + Imath::V3d(grain.origin));
+            tests::signed_distance(*grain.prototype.mesh(), p + Imath::V3d(grain.origin));
         EXPECT_LE(double(grain.distance.at(Vec3(p))), truth + 0.01 * grain.radius);
     }
 }
@@ -93,7 +93,7 @@ TEST(PileComponent, GradientPointsAwayFromTheSurface) {
 
 TEST(PileComponent, BallsAreInsideAndFillIt) {
     const PileComponent grain = prepared(rice());
-    const Mesh& mesh = *grain.prototype.mesh;
+    const Mesh& mesh = *grain.prototype.mesh();
     EXPECT_GE(grain.balls.size(), 10U);
     EXPECT_LE(grain.balls.size(), 30U);
     for (const Ball& ball : grain.balls)

@@ -28,7 +28,7 @@ TEST(PileRelax, MassOfABoxByClosedForm) {
     const MassProperties mass = mass_properties(box);
     const double m = 0.002 * 0.004 * 0.006;
     EXPECT_NEAR(mass.mass, m, 1e-5 * m);
-    const Vec3 middle = bounds(*box.prototype.mesh).center() - box.origin;
+    const Vec3 middle = bounds(*box.prototype.mesh()).center() - box.origin;
     EXPECT_NEAR(double((mass.centre - middle).length()), 0, 1e-7);
     const std::array<double, 3> squares{0.002 * 0.002, 0.004 * 0.004, 0.006 * 0.006};
     for (int i = 0; i < 3; ++i) {

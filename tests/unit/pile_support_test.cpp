@@ -222,7 +222,7 @@ double gap_between(const Pile& pile, const Placed& a, const Placed& b) {
         const PileComponent& other = pile.component(*to);
         const RelativePose there = relative(from->pose, to->pose);
         for (const Ball& sample : own.samples.balls())
-            gap = std::min(gap, tests::signed_distance(*other.prototype.mesh,
+            gap = std::min(gap, tests::signed_distance(*other.prototype.mesh(),
                                                        Vec3d(there(sample.centre) + other.origin)));
     }
     return gap;

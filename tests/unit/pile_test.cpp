@@ -213,7 +213,7 @@ TEST(Pile, CoverAgainstTheTrianglesThemselves) {
     pile_up(pile, target, turns, pile_sites(target, turns, {}), {}, 0, {});
     Mesh all;
     for (const Placed& placed : pile.all) {
-        Mesh one = *kinds[0].component.prototype.mesh;
+        Mesh one = *kinds[0].component.prototype.mesh();
         one.uvs.clear();
         transform(one, world_from_object(placed.pose, kinds[0].component.origin));
         append(all, one);

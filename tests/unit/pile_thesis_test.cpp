@@ -101,7 +101,7 @@ struct Plain {
         const PileComponent& own = kinds[sites[i].kind].component;
         double most = 0;
         const Pose pose = sites[i].at(t).pose;
-        for (const Vec3& vertex : own.prototype.mesh->positions) {
+        for (const Vec3& vertex : own.prototype.mesh()->positions) {
             const Imath::V3d x =
                 Imath::V3d((vertex - own.origin) * pose.world_from_component) + pose.centre;
             for (std::size_t j = 0; j < sites.size(); ++j) {

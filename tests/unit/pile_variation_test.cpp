@@ -158,7 +158,8 @@ TEST(PileVariation, SameShapesOnAnyNumberOfThreads) {
         piles.push_back(varied_pile(3));
     }
     for (std::size_t k = 0; k < 3; ++k)
-        EXPECT_EQ(piles[0].prototypes[k].mesh->positions, piles[1].prototypes[k].mesh->positions);
+        EXPECT_EQ(piles[0].prototypes[k].mesh()->positions,
+                  piles[1].prototypes[k].mesh()->positions);
     ASSERT_EQ(piles[0].instances.size(), piles[1].instances.size());
     for (std::size_t i = 0; i < piles[0].instances.size(); ++i) {
         EXPECT_EQ(piles[0].instances[i].prototype, piles[1].instances[i].prototype);

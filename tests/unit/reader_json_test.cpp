@@ -91,7 +91,7 @@ TEST(ReaderJson, ResolveMakesSharedThingsOnce) {
     ASSERT_EQ(draft.items.size(), 5U);
     const Prototype first = draft.items[0]->bake({}, 0).prototypes[0];
     const Prototype last = draft.items[4]->bake({}, 4).prototypes[0];
-    EXPECT_EQ(first.mesh, last.mesh);
+    EXPECT_EQ(first.mesh(), last.mesh());
     EXPECT_NE(first.material, nullptr);
     EXPECT_EQ(first.material, last.material);
     EXPECT_TRUE(draft.scene.camera);
