@@ -19,6 +19,17 @@ struct Frame {
         y = {b, sign + n.y * n.y * a, -n.y};
     }
 
+    /// With x as near to `tangent` as it can be; any x where the two are parallel, or `tangent` is
+    /// 0.
+    Frame(const Vec3& n, const Vec3& tangent) : Frame(n) {
+        const Vec3 level = tangent - n * n.dot(tangent);
+        const float square = level.dot(level);
+        if (!(square > 1e-12F))
+            return;
+        x = level / std::sqrt(square);
+        y = n.cross(x);
+    }
+
     Vec3 local_from_world(const Vec3& v) const { return {v.dot(x), v.dot(y), v.dot(z)}; }
     Vec3 world_from_local(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
 };

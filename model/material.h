@@ -74,6 +74,9 @@ using Material = std::variant<Matte, Plastic, Metal, Glass, Translucent>;
 /// What a material is painted with; null for what has no paint, such as glass.
 const Paint* paint_of(const Material& material);
 
+/// Whether its look depends on a surface's UVs, which hits then carry.
+bool uses_uv(const Material& material);
+
 /// The declaration of a parameter `material`; without one what is made is of `Matte{}`. `doc`: what
 /// it is, without a full stop.
 ParamSpec material_spec(const std::string& doc);

@@ -30,6 +30,12 @@ const Paint* paint_of(const Material& material) {
         material);
 }
 
+bool uses_uv(const Material& material) {
+    const Paint* paint = paint_of(material);
+    return paint != nullptr && paint->palette.empty() && paint->texture.procedural != nullptr &&
+           !paint->texture.procedural->solid();
+}
+
 namespace {
 
 ParamSpec paint_spec(const Color& fallback, std::string doc) {

@@ -102,8 +102,8 @@ class Batch {
         ShadingPoint& point = points_[count_];
         point = shading_point(*query.hit, query.direction, query.footprint);
         if (!solid_) {
-            point.uv = query.hit->uv();
-            point.uv_footprint = point.footprint * query.hit->uv_scale();
+            point.uv = query.hit->uv;
+            point.uv_footprint = point.footprint * query.hit->uv_per_metre;
         }
         hits_[count_] = query.hit;
         painted_[count_++] = &painted;

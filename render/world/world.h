@@ -34,18 +34,15 @@ struct Hit {
     float offset = 0; // how far the position may be off its surface [m]
     float random = 0; // of the instance
     std::uint32_t instance = none;
-    std::uint32_t material = 0;
+    std::uint32_t material = 0;             // index into World::materials
     std::uint32_t light = none;             // index into the lights, of an area light
     bool smooth = false;                    // shading_normal differs from normal
-    const InstanceRecord* record = nullptr; // null on lights
-    const Mesh* mesh = nullptr;             // null on lights
-    std::uint32_t triangle = 0;
-    Vec2f barycentric{0.0F, 0.0F}; // of the triangle's second and third corner
+    const InstanceRecord* record = nullptr; // the object's frame; null on lights
 
-    Vec2f uv() const; // apart, since only procedurals ask
-
-    /// UV per metre of the object, by areas of the triangle; 0 without.
-    float uv_scale() const;
+    // Found only where the material uses them (see uses_uv), and 0 elsewhere.
+    Vec2f uv{0.0F, 0.0F};   // 0 where the mesh has none
+    float uv_per_metre = 0; // of the object, by the triangle's areas; 0 where the mesh has no UVs
+    Vec3 tangent{0.0F, 0.0F, 0.0F}; // dp/du, unit; where there is none, any square to `normal`
 
     /// A ray that leaves the surface and cannot meet it again by rounding.
     Ray leave(const Vec3& direction) const {
@@ -54,7 +51,7 @@ struct Hit {
     }
 };
 
-/// What Embree knows of a hit; `World::fill` makes a Hit of it.
+/// A hit as Embree reports it; `World::fill` makes a Hit of it.
 struct RawHit {
     std::uint32_t geometry = Hit::none; // none: the ray met nothing
     std::uint32_t instance = Hit::none;
@@ -65,12 +62,13 @@ struct RawHit {
     bool found() const { return geometry != Hit::none; }
 };
 
-/// Aggregates and area lights, ready for rays. Prototypes that share a mesh share its tree.
-/// Thread-safe once built.
+/// Aggregates and area lights, ready for rays. Prototypes that share a mesh share its tree, the
+/// bounding volumes in which Embree finds it. Thread-safe once built.
 class World {
   public:
     /// Keeps the meshes alive, not the aggregates. Throws Error (resource) when Embree runs out
-    /// of memory, Cancelled on the context's cancel.
+    /// of memory, Error (input) for shapes that cannot be rendered (strands), Cancelled on the
+    /// context's cancel.
     World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
           const Context& context = {});
     ~World();
@@ -80,28 +78,28 @@ class World {
     /// The first hit along the ray, if any. Adds the time inside Embree to `*clock` if given.
     bool hit(const Ray& ray, Hit& hit, std::uint64_t* clock = nullptr) const;
 
-    /// `hit` in three steps: between them a caller with several rays can let memory catch up, since
-    /// what a bounced ray hits is in no cache.
+    /// `hit` in three steps. What a bounced ray hits is in no cache: a caller with several rays
+    /// takes each step for all of them, so that memory is fetched meanwhile.
     RawHit find(const Ray& ray, std::uint64_t* clock = nullptr) const;
     void prefetch(const RawHit& raw) const;
     void fill(const Ray& ray, const RawHit& raw, Hit& hit) const;
 
-    /// What a ray meets of one instance as if nothing else were there; nullopt where the ray begins
-    /// outside of the box around its mesh.
+    /// What a ray meets of one instance, as if nothing else were there; nullopt where the ray
+    /// begins outside of the mesh's bounding box.
     std::optional<RawHit> find_within(std::uint32_t instance, const Ray& ray,
                                       std::uint64_t* clock = nullptr) const;
 
     /// Whether anything lies within the ray's length.
     bool occluded(const Ray& ray, std::uint64_t* clock = nullptr) const;
 
-    /// By Hit::material; the first is that of what has none.
+    /// By Hit::material; the first is that of prototypes without a material.
     std::span<const std::shared_ptr<const Material>> materials() const;
     std::span<const Light> lights() const;
 
     Box3 bounds() const; // empty for an empty world
     std::size_t instance_count() const;
     std::size_t triangle_count() const; // after instancing
-    std::size_t memory_bytes() const;   // Embree's trees, our vertices and instances
+    std::size_t memory_bytes() const;   // of Embree's trees and of the records beside them
 
   private:
     struct State;

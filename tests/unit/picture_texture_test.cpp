@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// procedural.image, by itself and in the renderer's hits.
+// procedural.image
 #include "core/random.h"
 #include "procedurals/image.h"
 #include "procedurals/table.h"
-#include "render/world/world.h"
 #include "tests/support/pictures.h"
 #include "tests/support/plugin_params.h"
 
@@ -67,20 +66,6 @@ TEST(ImageTexture, IsUprightAndFiltered) {
     EXPECT_EQ(color_at(*texture, {0.5F, 0.9F}).y, 1.0F); // the top
     EXPECT_NEAR(color_at(*texture, {0.5F, 0.5F}, 1).x, 0.5F, 0.05F);
     EXPECT_NEAR(color_at(*texture, {0.5F, 0.5F}, 1).y, 0.5F, 0.05F);
-}
-
-TEST(ImageTexture, HitsKnowTheirUvPerMetre) {
-    Mesh mesh;
-    mesh.positions = {{0, 0, 0}, {0, 0, 2}, {0.5F, 0, 0}};
-    mesh.uvs = {{0, 0}, {0, 1}, {1, 0}};
-    mesh.triangles = {{0, 1, 2}};
-    Hit hit;
-    hit.mesh = &mesh;
-    EXPECT_FLOAT_EQ(hit.uv_scale(), 1.0F); // an area of a square metre
-    mesh.uvs = {{0, 0}, {0, 3}, {3, 0}};
-    EXPECT_FLOAT_EQ(hit.uv_scale(), 3.0F);
-    mesh.uvs.clear();
-    EXPECT_EQ(hit.uv_scale(), 0.0F);
 }
 
 } // namespace

@@ -145,6 +145,60 @@ TEST(World, EmptyWorldAndLightsOnly) {
     EXPECT_LT(hit.normal.y, -0.999F);
 }
 
+// The hit in the middle of a triangle of one square metre that faces up, seen from above.
+Hit hit_on_triangle(const std::vector<Vec2f>& uvs, const Material& material,
+                    const Matrix& matrix = {}) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {0, 0, 2}, {0.5F, 0, 0}};
+    mesh.uvs = uvs;
+    mesh.triangles = {{0, 1, 2}};
+    test::Stage stage;
+    stage.add(mesh, material, matrix);
+    const World world(stage.aggregates, {});
+    const Vec3 middle = transform_point(matrix, Vec3(0.125F, 0, 0.5F));
+    Hit hit;
+    EXPECT_TRUE(world.hit({middle + Vec3(0, 5, 0), Vec3(0, -1, 0)}, hit));
+    return hit;
+}
+
+// Depends on the UVs, as a picture does.
+class Flat final : public Procedural {
+  public:
+    void evaluate(std::span<const ShadingPoint>, std::span<ShadingSample>) const override {}
+};
+
+TEST(World, HitsCarryUvAndTangentWhereTheMaterialUsesThem) {
+    const std::vector<Vec2f> uvs = {{0, 0}, {0, 3}, {3, 0}}; // u along x, v along z
+    const Material textured = Matte{{{Color(0.0F), std::make_shared<Flat>()}, {}}};
+    Matrix turned;
+    turned.setAxisAngle(Vec3(0, 1, 0), 0.5F);
+    const Hit hit = hit_on_triangle(uvs, textured, turned * test::move({1, 2, 3}));
+    EXPECT_LT((hit.uv - Vec2f(0.75F, 0.75F)).length(), 1e-5F);
+    EXPECT_FLOAT_EQ(hit.uv_per_metre, 3.0F);
+    EXPECT_LT((hit.tangent - Vec3(std::cos(0.5F), 0, -std::sin(0.5F))).length(), 1e-5F);
+
+    // Mirrored UVs, and a mirrored object.
+    EXPECT_LT(
+        (hit_on_triangle({{0, 0}, {0, 3}, {-3, 0}}, textured).tangent - Vec3(-1, 0, 0)).length(),
+        1e-5F);
+    Matrix mirror;
+    mirror.setScale(Vec3(1, 1, -1));
+    EXPECT_LT((hit_on_triangle({{0, 0}, {1, 0}, {0, 1}}, textured, mirror).tangent - Vec3(0, 0, -1))
+                  .length(),
+              1e-5F);
+
+    // Without UVs, or where they are all the same, any direction along the surface.
+    for (const std::vector<Vec2f>& none :
+         {std::vector<Vec2f>{}, std::vector<Vec2f>(3, Vec2f(0.0F))}) {
+        const Hit bare = hit_on_triangle(none, textured);
+        EXPECT_EQ(bare.uv, Vec2f(0.0F));
+        EXPECT_EQ(bare.uv_per_metre, 0);
+        EXPECT_NEAR(bare.tangent.length(), 1, 1e-5F);
+        EXPECT_NEAR(bare.tangent.dot(bare.normal), 0, 1e-5F);
+    }
+    EXPECT_EQ(hit_on_triangle(uvs, test::grey_matte(1)).uv, Vec2f(0.0F));
+}
+
 TEST(World, SaysThatItCannotDrawStrands) {
     auto strands = std::make_shared<Strands>();
     strands->points = {Vec3(0.0F), Vec3(0.0F, 1.0F, 0.0F)};

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Embree's scene and the records beside it, made of aggregates.
+#include "core/error.h"
+#include "core/parallel.h"
+#include "render/world/world_state.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace scree {
+
+using embree::GeometryHandle;
+using embree::SceneHandle;
+
+void World::State::open_device() {
+    device.reset(rtcNewDevice(nullptr));
+    if (!device)
+        throw Error::resource("cannot start Embree, the ray tracer");
+    rtcSetDeviceErrorFunction(
+        device.get(),
+        [](void* self, RTCError, const char* text) {
+            auto& state = *static_cast<State*>(self);
+            const std::lock_guard lock(state.error_mutex);
+            if (state.error.empty())
+                state.error = text != nullptr && *text != '\0' ? text : "unknown error";
+        },
+        this);
+    rtcSetDeviceMemoryMonitorFunction(
+        device.get(),
+        [](void* self, ssize_t change, bool) {
+            static_cast<State*>(self)->bytes.fetch_add(change, std::memory_order_relaxed);
+            return true;
+        },
+        this);
+}
+
+void World::State::check() {
+    const std::lock_guard lock(error_mutex);
+    if (!error.empty())
+        throw Error::resource("cannot build the scene for rendering: " + error);
+}
+
+SceneHandle World::State::new_scene() const {
+    SceneHandle handle(rtcNewScene(device.get()));
+    rtcSetSceneFlags(handle.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(handle.get(), RTC_BUILD_QUALITY_MEDIUM);
+    return handle;
+}
+
+SceneHandle World::State::tree(const Mesh& mesh) const {
+    SceneHandle handle = new_scene();
+    const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    void* positions =
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(Vec3), mesh.positions.size());
+    if (positions == nullptr)
+        return handle; // `check` reports why
+    std::copy(mesh.positions.begin(), mesh.positions.end(), static_cast<Vec3*>(positions));
+    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               mesh.triangles.data(), 0, sizeof(Mesh::Triangle),
+                               mesh.triangles.size());
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(handle.get(), geometry.get(), 0);
+    rtcCommitScene(handle.get());
+    return handle;
+}
+
+MeshTree World::State::build(const Mesh& mesh) const {
+    MeshTree made{tree(mesh), triangle_records(mesh), {}};
+    made.bounds = embree::bounds(made.tree.get());
+    return made;
+}
+
+void World::State::collect(const std::shared_ptr<const Mesh>& mesh, const Aggregate& /*of*/,
+                           const Prototype& /*prototype*/) {
+    if (mesh != nullptr && !mesh->triangles.empty() && mesh_trees.try_emplace(mesh.get()).second)
+        meshes.push_back(mesh);
+}
+
+void World::State::collect(const std::shared_ptr<const Strands>& /*strands*/, const Aggregate& of,
+                           const Prototype& prototype) {
+    throw Error(Diagnostic{of.where, of.generator,
+                           prototype.name + " is of strands, which cannot be rendered yet", ""});
+}
+
+void World::State::build_mesh_trees(const Context& context) {
+    parallel_for(meshes.size(), 1, [&](std::size_t i) {
+        if (context.cancel == nullptr || !context.cancel->requested())
+            mesh_trees.find(meshes[i].get())->second = build(*meshes[i]);
+    });
+    context.check_cancel();
+    check();
+}
+
+void World::State::add_prototypes(std::span<const Aggregate> aggregates, const Context& context) {
+    std::map<const Material*, std::uint32_t> numbers{{nullptr, 0}};
+    materials.push_back(std::make_shared<const Material>(Matte{}));
+    for (const Aggregate& aggregate : aggregates)
+        for (const Prototype& prototype : aggregate.prototypes) {
+            std::visit([&](const auto& shape) { collect(shape, aggregate, prototype); },
+                       prototype.shape);
+            const auto [number, is_new] = numbers.try_emplace(
+                prototype.material.get(), static_cast<std::uint32_t>(materials.size()));
+            if (is_new)
+                materials.push_back(prototype.material);
+            prototypes.push_back({.mesh = prototype.mesh(), .material = number->second});
+        }
+    build_mesh_trees(context);
+    for (PrototypeRecord& prototype : prototypes)
+        if (const auto found = mesh_trees.find(prototype.mesh); found != mesh_trees.end()) {
+            prototype.mesh_tree = &found->second;
+            prototype.triangles = found->second.triangles.data();
+            prototype.has_normals = !prototype.mesh->normals.empty();
+            prototype.uses_uv = uses_uv(*materials[prototype.material]);
+        }
+}
+
+void World::State::add_instances(std::span<const Aggregate> aggregates) {
+    std::uint32_t first_prototype = 0;
+    for (const Aggregate& aggregate : aggregates) {
+        for (const Instance& instance : aggregate.instances) {
+            assert(instance.prototype < aggregate.prototypes.size());
+            const std::uint32_t index = first_prototype + instance.prototype;
+            instances.push_back(instance_record(instance, index));
+        }
+        first_prototype += static_cast<std::uint32_t>(aggregate.prototypes.size());
+    }
+    for (std::size_t i = 0; i < instances.size(); ++i)
+        attach(instances[i], static_cast<unsigned>(i));
+}
+
+void World::State::attach(const InstanceRecord& record, unsigned id) {
+    const PrototypeRecord& prototype = prototypes[record.prototype];
+    if (prototype.mesh_tree == nullptr || record.scale == 0)
+        return; // nothing to see
+    triangles += prototype.mesh->triangles.size();
+    const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(geometry.get(), prototype.mesh_tree->tree.get());
+    rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &record.rows[0]);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(scene.get(), geometry.get(), id);
+}
+
+void World::State::commit(const Context& context) {
+    if (context.cancel != nullptr)
+        rtcSetSceneProgressMonitorFunction(
+            scene.get(),
+            [](void* cancel, double) { return !static_cast<const Cancel*>(cancel)->requested(); },
+            const_cast<Cancel*>(context.cancel));
+    rtcCommitScene(scene.get());
+    rtcSetSceneProgressMonitorFunction(scene.get(), nullptr, nullptr);
+    context.check_cancel();
+    check();
+}
+
+World::World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
+             const Context& context)
+    : state_(std::make_unique<State>()) {
+    state_->open_device();
+    state_->scene = state_->new_scene();
+    state_->check();
+    state_->add_prototypes(aggregates, context);
+    state_->add_instances(aggregates);
+    state_->lights.assign(lights.begin(), lights.end());
+    state_->add_area_lights();
+    state_->commit(context);
+}
+
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+} // namespace scree

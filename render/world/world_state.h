@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a World holds; for the files that build it and answer its rays.
+#pragma once
+
+#include "render/world/embree_adapter.h"
+#include "render/world/instance_record.h"
+#include "render/world/triangle_record.h"
+#include "render/world/world.h"
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <vector>
+
+namespace scree {
+
+/// What instances of one mesh share.
+struct MeshTree {
+    embree::SceneHandle tree;
+    std::vector<TriangleRecord> triangles;
+    Box3 bounds; // in the object's frame
+};
+
+struct PrototypeRecord {
+    const Mesh* mesh = nullptr;
+    const TriangleRecord* triangles = nullptr;
+    std::uint32_t material = 0;
+    bool has_normals = false;
+    bool uses_uv = false;                // its material does, so hits must carry it
+    const MeshTree* mesh_tree = nullptr; // null where there is nothing to see
+};
+
+struct World::State {
+    // How much memory Embree uses, and the first of its errors; Embree's threads write them.
+    std::atomic<std::int64_t> bytes = 0;
+    std::mutex error_mutex;
+    std::string error;
+
+    // Destroyed from the last to the first: the trees before the device.
+    embree::DeviceHandle device;
+    std::map<const Mesh*, MeshTree> mesh_trees;
+    std::vector<std::shared_ptr<const Mesh>> meshes; // those of mesh_trees, kept alive
+    std::vector<PrototypeRecord> prototypes;         // of all aggregates, one after the other
+    std::vector<InstanceRecord> instances;           // likewise
+    std::vector<std::shared_ptr<const Material>> materials; // first that of what has none
+    std::vector<Light> lights;
+    std::vector<std::uint32_t> light_of_quad; // of each area light, its index into `lights`
+    std::vector<Vec3> light_vertices;         // four for each area light
+    embree::SceneHandle scene;
+    std::size_t triangles = 0; // of all instances
+
+    void open_device();
+    /// Throws Error (resource) when Embree has reported an error.
+    void check();
+    embree::SceneHandle new_scene() const;
+    void commit(const Context& context);
+
+    // Shapes: one function for each kind.
+    void collect(const std::shared_ptr<const Mesh>& mesh, const Aggregate& of,
+                 const Prototype& prototype);
+    void collect(const std::shared_ptr<const Strands>& strands, const Aggregate& of,
+                 const Prototype& prototype);
+    void build_mesh_trees(const Context& context);
+    MeshTree build(const Mesh& mesh) const;
+    embree::SceneHandle tree(const Mesh& mesh) const;
+
+    void add_prototypes(std::span<const Aggregate> aggregates, const Context& context);
+    void add_instances(std::span<const Aggregate> aggregates);
+    void attach(const InstanceRecord& record, unsigned id);
+    void add_area_lights();
+
+    void fill_surface(const RawHit& found, Hit& hit) const;
+    void fill_light(const RawHit& found, Hit& hit) const;
+};
+
+} // namespace scree
