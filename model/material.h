@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene says about its materials; bsdf.h evaluates and samples them.
+// What a scene says about its materials. Each alternative is made ready for rendering by its
+// `prepare`, which stands in render/bsdf/<name>.cpp: only the renderer calls it.
 #pragma once
 
 #include "core/params.h"
@@ -12,6 +13,9 @@
 #include <vector>
 
 namespace scree {
+
+class AlbedoTables;
+class PreparedMaterial;
 
 /// A colour that is constant or comes from a procedural.
 struct Texture {
@@ -39,6 +43,8 @@ struct Paint {
 /// Lambert's diffuse reflector.
 struct Matte {
     Paint paint{{Color(0.5F, 0.5F, 0.5F), nullptr}, {}};
+
+    std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const;
 };
 
 /// A diffuse base under a dielectric coat.
@@ -46,12 +52,16 @@ struct Plastic {
     Paint paint{{Color(0.5F, 0.5F, 0.5F), nullptr}, {}};
     float roughness = 0.3F; // of the coat; squared it is the GGX alpha (Burley 2012)
     float ior = 1.5F;
+
+    std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const;
 };
 
 /// A conductor described by its reflectance at normal incidence.
 struct Metal {
     Paint paint{{Color(0.9F, 0.9F, 0.9F), nullptr}, {}};
     float roughness = 0.2F;
+
+    std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const;
 };
 
 /// A dielectric that lets light through.
@@ -59,6 +69,8 @@ struct Glass {
     float ior = 1.5F;
     Color absorption{0.0F, 0.0F, 0.0F}; // of the inside [1/m] (Beer 1852)
     float roughness = 0;                // 0: smooth
+
+    std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const;
 };
 
 /// A medium in which light walks at random, under a dielectric coat.
@@ -67,14 +79,34 @@ struct Translucent {
     Color distance{0.001F, 0.001F, 0.001F};              // by channel [m], see make_medium
     float roughness = 0.3F;                              // of the coat
     float ior = 1.5F;
+
+    std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const;
 };
 
-using Material = std::variant<Matte, Plastic, Metal, Glass, Translucent>;
+/// A material that a program adds at run time. Thread-safe once made.
+class CustomMaterial {
+  public:
+    virtual ~CustomMaterial() = default;
+
+    /// What it is painted with; null: nothing.
+    virtual const Paint* paint() const { return nullptr; }
+
+    /// Whether it scatters differently when the surface is turned about its normal: hits then carry
+    /// the tangent.
+    virtual bool oriented() const { return false; }
+
+    virtual std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const = 0;
+};
+
+/// Members of an alternative that others find by their names: `paint`, `roughness` (perceptual),
+/// and `static constexpr bool oriented` (as in CustomMaterial).
+using Material =
+    std::variant<Matte, Plastic, Metal, Glass, Translucent, std::shared_ptr<const CustomMaterial>>;
 
 /// What a material is painted with; null for what has no paint, such as glass.
 const Paint* paint_of(const Material& material);
 
-/// Whether its look depends on a surface's UVs, which hits then carry.
+/// Whether its look depends on a surface's UVs or tangent, which hits then carry.
 bool uses_uv(const Material& material);
 
 /// The declaration of a parameter `material`; without one what is made is of `Matte{}`. `doc`: what

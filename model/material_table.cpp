@@ -5,37 +5,6 @@
 
 namespace scree {
 
-Texture texture_of(const Params& params, const std::string& name) {
-    if (auto procedural = params.object<Procedural>(name))
-        return {Color(0.0F), std::move(procedural)};
-    return {params.color(name), nullptr};
-}
-
-ParamSpec material_spec(const std::string& doc) {
-    return {.name = "material",
-            .type = ParamType::object,
-            .families = {"material"},
-            .doc = doc + "; grey matte when not given.",
-            .optional = true};
-}
-
-const Paint* paint_of(const Material& material) {
-    return std::visit(
-        [](const auto& m) -> const Paint* {
-            if constexpr (requires { m.paint; })
-                return &m.paint;
-            else
-                return nullptr;
-        },
-        material);
-}
-
-bool uses_uv(const Material& material) {
-    const Paint* paint = paint_of(material);
-    return paint != nullptr && paint->palette.empty() && paint->texture.procedural != nullptr &&
-           !paint->texture.procedural->solid();
-}
-
 namespace {
 
 ParamSpec paint_spec(const Color& fallback, std::string doc) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/integrator.h"
 
+#include "render/subsurface.h"
+
 #include <algorithm>
 #include <array>
 
@@ -86,9 +88,9 @@ void Integrator::walk(Path& path, RayCount& count) const {
     const std::uint32_t bounce = bounce_of(path.edges_);
     const float choice = path.sampler_.pair(dimension::at(bounce, dimension::roulette)).y;
     Random random(path.sampler_.key(), Purpose::subsurface_walk, bounce);
-    const Walk walk =
-        walk_inside(world_, materials_.medium(path.hit_, path.color_), path.hit_,
-                    path.ray_.direction, path.throughput_, choice, random, count.clock);
+    const Medium medium = materials_.at(path.hit_).subsurface()->medium(path.color_);
+    const Walk walk = walk_inside(world_, medium, path.hit_, path.ray_.direction, path.throughput_,
+                                  choice, random, count.clock);
     count.rays += walk.rays;
     path.throughput_ *= walk.weight;
     if (walk.exit.found()) {
@@ -137,7 +139,7 @@ bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCou
     const Surface surface = emerging ? materials_.emerging(hit, path.ray_.direction, painted)
                                      : materials_.surface(hit, path.ray_.direction, painted);
     if (path.edges_ == 1 && !emerging) {
-        path.sample_.albedo = surface.albedo();
+        path.sample_.albedo = surface.bsdf.color;
         path.sample_.normal = surface.frame.z;
     }
     if (path.edges_ >= depth_)
@@ -159,14 +161,15 @@ bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCou
     } else if (black(path.throughput_)) {
         return false;
     }
-    if (scattered.transmitted && surface.bsdf.kind == BsdfKind::translucent) {
+    if (scattered.transmitted && surface.material->subsurface() != nullptr) {
         path.color_ = painted.color;
         path.ray_.direction = scattered.direction;
         path.walking_ = true;
         return true;
     }
     if (scattered.transmitted) {
-        path.absorption_ = surface.outside ? surface.inside : Color(0.0F, 0.0F, 0.0F);
+        path.absorption_ =
+            surface.outside ? surface.material->absorption() : Color(0.0F, 0.0F, 0.0F);
         path.absorbing_ = !black(path.absorption_);
     }
     // A direction of density p stands for 1 / p of solid angle, N samples of the pixel for 1 / N of
@@ -202,7 +205,7 @@ bool Integrator::shade(std::span<Path> paths, float share, RayCount& count) cons
         if (!path.alive_)
             continue;
         met[met_count] = &path;
-        queries[met_count++] = {&materials_.paint(path.hit_), &path.hit_, path.ray_.direction,
+        queries[met_count++] = {&materials_.at(path.hit_).paint(), &path.hit_, path.ray_.direction,
                                 path.width_};
         if (met_count == most_painted)
             scatter_all();

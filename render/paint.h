@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/material.h"
+#include "render/bsdf/painted.h"
 #include "render/world/world.h"
 
 #include <span>
@@ -14,18 +15,10 @@ namespace scree {
 /// object's frame. Not for hits on lights.
 ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprint);
 
-/// The shading normal over a height whose gradient in the object's frame is `slope`: heights are
-/// lengths of the object along its own normal, and turn, grow and shear with it (Mikkelsen 2010:
-/// the surface gradient).
+/// The shading normal of the surface raised by a height whose gradient in the object's frame is
+/// `slope`. Heights are lengths along the normal in the object's frame: they turn, scale and shear
+/// with the object (Mikkelsen 2010: the surface gradient).
 Vec3 bent_normal(const Hit& hit, const Vec3& slope);
-
-/// What there is to know before light.
-struct Painted {
-    Color color{0.0F, 0.0F, 0.0F};
-    float roughness = ShadingSample::unset; // the material's own
-    bool bent = false;                      // `normal` takes the place of the shading normal
-    Vec3 normal{0.0F, 0.0F, 0.0F};          // unit, on the side of the geometric normal's outside
-};
 
 /// A hit whose paint is asked for, reached along `direction` and seen with a filter `footprint`
 /// wide [m].
@@ -36,9 +29,11 @@ struct PaintQuery {
     float footprint;
 };
 
-/// Answers up to `most_painted` queries, a sample to each; every procedural is asked about its hits
-/// together, which some answer faster than one by one.
+/// The most queries that `paint` takes.
 constexpr std::size_t most_painted = 8;
+
+/// Answers each query. Every procedural is asked about all its hits together, which some answer
+/// faster than one by one.
 void paint(std::span<const PaintQuery> queries, std::span<Painted> painted);
 
 } // namespace scree

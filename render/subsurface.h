@@ -4,22 +4,10 @@
 #pragma once
 
 #include "core/random.h"
+#include "render/bsdf/medium.h"
 #include "render/world/world.h"
 
 namespace scree {
-
-/// What fills a translucent thing, by channel.
-struct Medium {
-    Color color;          // share of light from all sides that half a space of it gives back
-    Color albedo;         // share of light that one scattering leaves
-    Color mean_free_path; // between two scatterings [m]
-};
-
-/// The medium of which half a space gives `color` back, by the spherical albedo of van de Hulst
-/// (1980, "Multiple light scattering"). `distance` [m] is the scale of the spot that light from
-/// all sides makes of a point; for darker media that asks for longer ways (Christensen & Burley
-/// 2015, "Approximate reflectance profiles for efficient subsurface scattering", eq. 6).
-Medium make_medium(const Color& color, const Color& distance);
 
 /// How a walk ended.
 struct Walk {

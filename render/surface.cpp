@@ -16,8 +16,8 @@ constexpr float min_cosine = 0.01F;
 // The shading normal nearest to `n` for which the viewer, and for mirrors the mirrored viewer, is
 // above the surface (Keller et al. 2017, "The Iray light transport simulation and rendering
 // system", section A.3): no black rims.
-Vec3 adapted(const Vec3& n, const Vec3& geometric, const Vec3& wo, bool mirror) {
-    if (mirror) {
+Vec3 adapted(const Vec3& n, const Vec3& geometric, const Vec3& wo, bool mirrors) {
+    if (mirrors) {
         const Vec3 mirrored = ggx::reflect(wo, n);
         const float height = mirrored.dot(geometric);
         if (height >= min_cosine)
@@ -26,6 +26,21 @@ Vec3 adapted(const Vec3& n, const Vec3& geometric, const Vec3& wo, bool mirror) 
     }
     const float height = wo.dot(n);
     return height >= min_cosine ? n : unit(n + wo * (min_cosine - height));
+}
+
+std::unique_ptr<const PreparedMaterial> prepared(const Material& material, AlbedoTables& tables) {
+    return std::visit(
+        [&](const auto& m) {
+            if constexpr (requires { m.prepare(tables); })
+                return m.prepare(tables);
+            else
+                return m->prepare(tables);
+        },
+        material);
+}
+
+const Vec3& shading_normal(const Hit& hit, const Painted& painted) {
+    return painted.bent ? painted.normal : hit.shading_normal;
 }
 
 } // namespace
@@ -56,103 +71,65 @@ BsdfSample Surface::sample(float choice, const Vec2f& u) const {
     if ((height > 0) == sample.transmitted) {
         if (!sample.delta)
             return {};
-        // The light has decided for a side; keep it there.
+        // The light has been chosen to be reflected or transmitted; keep it on that side.
         const float wanted = sample.transmitted ? -min_cosine : min_cosine;
         sample.direction = unit(sample.direction + normal * (wanted - height));
-    } else if (smooth && (bsdf.kind == BsdfKind::matte || bsdf.kind == BsdfKind::plastic ||
-                          bsdf.kind == BsdfKind::emerging)) {
+    } else if (smooth && bsdf.lobe->traits().diffuse) {
         const BsdfValue value = bsdf.evaluate(wo, local, terminator(sample.direction, local));
         sample.weight = value.value / sample.pdf;
     }
     return sample;
 }
 
-Color Surface::albedo() const {
-    const bool is_glass = bsdf.kind == BsdfKind::smooth_glass || bsdf.kind == BsdfKind::rough_glass;
-    return is_glass ? Color(1.0F, 1.0F, 1.0F) : bsdf.color;
-}
-
 MaterialSet::MaterialSet(std::span<const std::shared_ptr<const Material>> materials) {
-    for (const std::shared_ptr<const Material>& shared : materials) {
-        const Material& material = *shared;
-        Prepared prepared;
-        if (const auto* matte = std::get_if<Matte>(&material)) {
-            prepared.paint = matte->paint;
-        } else if (const auto* plastic = std::get_if<Plastic>(&material)) {
-            prepared.kind = BsdfKind::plastic;
-            prepared.paint = plastic->paint;
-            prepared.ior = plastic->ior;
-            prepare_lobe(prepared, plastic->roughness, plastic->ior);
-        } else if (const auto* metal = std::get_if<Metal>(&material)) {
-            prepared.kind = BsdfKind::metal;
-            prepared.paint = metal->paint;
-            prepare_lobe(prepared, metal->roughness, 0);
-        } else if (const auto* translucent = std::get_if<Translucent>(&material)) {
-            prepared.kind = BsdfKind::translucent;
-            prepared.paint = translucent->paint;
-            prepared.ior = translucent->ior;
-            prepared.distance = translucent->distance;
-            prepare_lobe(prepared, translucent->roughness, translucent->ior);
-        } else {
-            const Glass& glass = std::get<Glass>(material);
-            prepared.alpha = glass.roughness * glass.roughness;
-            prepared.kind =
-                prepared.alpha < ggx::min_alpha ? BsdfKind::smooth_glass : BsdfKind::rough_glass;
-            prepared.ior = glass.ior;
-            prepared.absorption = glass.absorption;
-        }
-        materials_.push_back(std::move(prepared));
-    }
+    for (const std::shared_ptr<const Material>& material : materials)
+        materials_.push_back(prepared(*material, tables_));
 }
 
-void MaterialSet::prepare_lobe(Prepared& prepared, float roughness, float facet_ior) {
-    prepared.alpha = ggx::alpha(roughness);
-    prepared.albedo =
-        &tables_.try_emplace({prepared.alpha, facet_ior}, prepared.alpha, facet_ior).first->second;
-    if (prepared.paint.texture.procedural != nullptr)
-        prepared.varied = &varied_tables_.try_emplace(facet_ior, facet_ior).first->second;
+namespace {
+
+/// Which way the surface at a hit faces a viewer who looks along `direction`; its lobe comes after.
+Surface facing(const Hit& hit, const Vec3& direction, const PreparedMaterial& material) {
+    Surface surface;
+    surface.material = &material;
+    surface.outside = direction.dot(hit.normal) < 0;
+    surface.normal = surface.outside ? hit.normal : -hit.normal;
+    return surface;
 }
+
+/// Turns the frame of a surface whose lobe is known to a viewer who looks along `direction`.
+void orient(Surface& surface, const Hit& hit, const Vec3& direction, const Painted& painted) {
+    const LobeTraits& traits = surface.bsdf.lobe->traits();
+    const Vec3 wo = -direction;
+    surface.smooth = hit.smooth || painted.bent;
+    Vec3 normal = shading_normal(hit, painted);
+    if (!surface.outside)
+        normal = -normal;
+    if (surface.smooth)
+        normal = adapted(normal, surface.normal, wo, traits.mirrors);
+    surface.frame = traits.oriented ? Frame(normal, hit.tangent) : Frame(normal);
+    surface.wo = surface.frame.local_from_world(wo);
+}
+
+} // namespace
 
 Surface MaterialSet::surface(const Hit& hit, const Vec3& direction, const Painted& painted) const {
     assert(hit.material < materials_.size());
-    const Prepared& material = materials_[hit.material];
-    Surface surface;
-    surface.smooth = hit.smooth || painted.bent;
-    Vec3 normal = painted.bent ? painted.normal : hit.shading_normal;
-    surface.bsdf.kind = material.kind;
-    surface.bsdf.color = painted.color;
-    const bool varied = painted.roughness >= 0 && material.varied != nullptr;
-    surface.bsdf.alpha = varied ? ggx::alpha(std::min(painted.roughness, 1.0F)) : material.alpha;
-    surface.bsdf.albedo = varied ? material.varied->at(painted.roughness) : material.albedo;
-    const Vec3 wo = -direction;
-    surface.outside = wo.dot(hit.normal) > 0;
-    surface.normal = surface.outside ? hit.normal : -hit.normal;
-    surface.bsdf.eta = material.ior;
-    if (!surface.outside) {
-        normal = -normal;
-        // Only glass has an inside to look from; other coats are on both sides.
-        if (material.kind == BsdfKind::smooth_glass || material.kind == BsdfKind::rough_glass)
-            surface.bsdf.eta = 1 / material.ior;
-    }
-    surface.inside = material.absorption;
-    if (surface.smooth)
-        normal = adapted(normal, surface.normal, wo, material.kind != BsdfKind::matte);
-    surface.frame = Frame(normal);
-    surface.wo = surface.frame.local_from_world(wo);
+    Surface surface = facing(hit, direction, *materials_[hit.material]);
+    surface.bsdf = surface.material->bsdf(painted, surface.outside);
+    orient(surface, hit, direction, painted);
     return surface;
 }
 
 Surface MaterialSet::emerging(const Hit& hit, const Vec3& direction, const Painted& painted) const {
-    const Vec3& normal = painted.bent ? painted.normal : hit.shading_normal;
+    const Vec3& normal = shading_normal(hit, painted);
     const bool outwards = direction.dot(hit.normal) > 0;
     // As if seen from straight above: where the light comes from makes no difference.
-    Surface surface = this->surface(hit, outwards ? -normal : normal, painted);
-    surface.bsdf.kind = BsdfKind::emerging;
+    const Vec3 down = outwards ? -normal : normal;
+    Surface surface = facing(hit, down, at(hit));
+    surface.bsdf = surface.material->subsurface()->emerging(painted);
+    orient(surface, hit, down, painted);
     return surface;
-}
-
-Medium MaterialSet::medium(const Hit& hit, const Color& color) const {
-    return make_medium(color, materials_[hit.material].distance);
 }
 
 } // namespace scree

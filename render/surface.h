@@ -3,15 +3,11 @@
 #pragma once
 
 #include "core/frame.h"
-#include "model/material.h"
-#include "render/bsdf/bsdf.h"
-#include "render/paint.h"
-#include "render/subsurface.h"
+#include "render/bsdf/prepared_material.h"
 #include "render/world/world.h"
 
-#include <map>
+#include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace scree {
@@ -19,21 +15,19 @@ namespace scree {
 /// A point of a surface as seen from one direction.
 struct Surface {
     Bsdf bsdf;
+    const PreparedMaterial* material = nullptr;
     Frame frame{Vec3(0.0F, 0.0F, 1.0F)}; // of the shading normal, on the viewer's side
-    Vec3 normal;                         // geometric, on the viewer's side
-    Vec3 wo;                             // towards the viewer, in the frame
-    Color inside{0.0F, 0.0F, 0.0F};      // absorption behind a glass surface [1/m]
+    Vec3 normal{0.0F, 0.0F, 0.0F};       // geometric, on the viewer's side
+    Vec3 wo{0.0F, 0.0F, 0.0F};           // towards the viewer, in the frame
     bool outside = true;                 // the viewer is on the outer side
     bool smooth = false;                 // shading and geometric normal differ
 
-    /// For a direction in the world. Light that only the shading normal would let through is none.
+    /// For a direction in the world. Zero for light that the shading normal would let through and
+    /// the geometric normal would not, or the other way round.
     BsdfValue evaluate(const Vec3& wi) const;
 
     /// Answers a direction in the world.
     BsdfSample sample(float choice, const Vec2f& u) const;
-
-    /// Shows what the colour is before light and angle: for the albedo picture.
-    Color albedo() const;
 
   private:
     float terminator(const Vec3& wi, const Vec3& local) const;
@@ -44,36 +38,19 @@ class MaterialSet {
   public:
     explicit MaterialSet(std::span<const std::shared_ptr<const Material>> materials);
 
-    /// What the surface at a hit is painted with.
-    const Paint& paint(const Hit& hit) const { return materials_[hit.material].paint; }
+    /// The material at a hit.
+    const PreparedMaterial& at(const Hit& hit) const { return *materials_[hit.material]; }
 
     /// The surface at a hit that was reached along `direction`, painted so.
     Surface surface(const Hit& hit, const Vec3& direction, const Painted& painted) const;
 
-    /// A translucent surface as light sees it that goes out along `direction`.
+    /// The surface at a hit that light reached along `direction` from under it; of a material with
+    /// a subsurface.
     Surface emerging(const Hit& hit, const Vec3& direction, const Painted& painted) const;
 
-    /// What is under the surface of a hit where its colour is `color`; translucent ones only.
-    Medium medium(const Hit& hit, const Color& color) const;
-
-    std::size_t size() const { return materials_.size(); }
-
   private:
-    struct Prepared {
-        BsdfKind kind = BsdfKind::matte;
-        Paint paint;
-        float alpha = 0;
-        float ior = 1;
-        Color absorption{0.0F, 0.0F, 0.0F};
-        Color distance{0.0F, 0.0F, 0.0F};
-        Albedo albedo;
-        const RoughnessTables* varied = nullptr; // of a procedural, which may give a roughness
-    };
-    void prepare_lobe(Prepared& prepared, float roughness, float facet_ior);
-
-    std::vector<Prepared> materials_;
-    std::map<std::pair<float, float>, AlbedoTable> tables_; // by (alpha, ior)
-    std::map<float, RoughnessTables> varied_tables_;        // by ior
+    AlbedoTables tables_;
+    std::vector<std::unique_ptr<const PreparedMaterial>> materials_;
 };
 
 } // namespace scree

@@ -29,7 +29,7 @@ float single_bounce(float cosine, float alpha, float ior) {
             const Vec3 wi = ggx::reflect(wo, m);
             if (wi.z <= 0)
                 continue;
-            const float facet = ior == 0 ? 1 : fresnel_dielectric(wo.dot(m), ior);
+            const float facet = ior == AlbedoTable::mirror ? 1 : fresnel_dielectric(wo.dot(m), ior);
             sum += double(weight * facet * ggx::shadowing(wo, wi, alpha) / ggx::masking(wo, alpha));
         }
     }

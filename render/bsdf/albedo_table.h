@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <mutex>
+#include <utility>
 
 namespace scree {
 
@@ -10,8 +12,10 @@ namespace scree {
 /// of the direction: of a perfect mirror's facets, or of a dielectric's.
 class AlbedoTable {
   public:
+    static constexpr float mirror = 0; // for `ior`: facets that reflect everything
+
     AlbedoTable() = default;
-    /// `ior` 0: facets that reflect everything.
+    /// `ior` of the facets relative to the side of the light, or `mirror`.
     AlbedoTable(float alpha, float ior);
 
     float at(float cosine) const {
@@ -32,8 +36,8 @@ class AlbedoTable {
     float average_ = 0;
 };
 
-/// What a surface's roughness makes of an AlbedoTable: one, or a mean of two. The mean's average is
-/// exact, too, so that a white base under a coat loses nothing for being between two tables.
+/// An AlbedoTable, or a mean of two for a roughness between theirs. The mean's average is exact,
+/// too, so that a white base under a coat loses no light between two tables.
 class Albedo {
   public:
     Albedo(const AlbedoTable* table = nullptr) : low_(table) {} // implicit: the common case
@@ -55,13 +59,13 @@ class Albedo {
     float part_ = 0;
 };
 
-/// The tables of all roughnesses, for surfaces on which it goes by place.
+/// The tables of all roughnesses, for surfaces whose roughness changes from place to place.
 class RoughnessTables {
   public:
     /// `ior` as in AlbedoTable.
     explicit RoughnessTables(float ior) : ior_(ior) {}
 
-    /// `roughness` in [0, 1]; good for as long as this lives. Thread-safe: a table is made when it
+    /// `roughness` in [0, 1]; the answer points into this. Thread-safe: a table is made when it
     /// is first asked for, which takes milliseconds.
     Albedo at(float roughness) const;
 
@@ -76,6 +80,22 @@ class RoughnessTables {
 
     float ior_;
     mutable std::array<LazyTable, steps + 1> tables_; // evenly over the roughness
+};
+
+/// The tables of a scene's materials, which share those that are the same. Materials are prepared
+/// one after the other: not thread-safe.
+class AlbedoTables {
+  public:
+    const AlbedoTable& at(float alpha, float ior) {
+        return tables_.try_emplace({alpha, ior}, alpha, ior).first->second;
+    }
+    const RoughnessTables& by_roughness(float ior) {
+        return by_roughness_.try_emplace(ior, ior).first->second;
+    }
+
+  private:
+    std::map<std::pair<float, float>, AlbedoTable> tables_; // by (alpha, ior)
+    std::map<float, RoughnessTables> by_roughness_;         // by ior
 };
 
 } // namespace scree

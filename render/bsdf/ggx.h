@@ -53,6 +53,12 @@ inline Vec3 sample_visible_normal(const Vec3& wo, float alpha, const Vec2f& u) {
     return m / std::sqrt(m.dot(m));
 }
 
+/// Of two directions whose sum is not 0.
+inline Vec3 half_vector(const Vec3& wo, const Vec3& wi) {
+    const Vec3 sum = wo + wi;
+    return sum / std::sqrt(sum.dot(sum));
+}
+
 inline Vec3 reflect(const Vec3& w, const Vec3& m) { return m * (2 * w.dot(m)) - w; }
 
 } // namespace scree::ggx

@@ -178,7 +178,7 @@ class Probe final : public Procedural {
 };
 
 Surface seen(const MaterialSet& materials, const Hit& hit, const Vec3& direction) {
-    const PaintQuery query{&materials.paint(hit), &hit, direction, 0.01F};
+    const PaintQuery query{&materials.at(hit).paint(), &hit, direction, 0.01F};
     Painted painted;
     paint({&query, 1}, {&painted, 1});
     return materials.surface(hit, direction, painted);
