@@ -24,10 +24,10 @@ namespace scree {
 namespace {
 
 constexpr int tile_side = 16;           // pixels; 256 pixels keep a thread busy for milliseconds
-constexpr int longest_pass = 64;        // samples, so that limits of time and noise are met closely
+constexpr int longest_pass = 64;        // samples; short enough to keep limits of time and noise
 constexpr int min_samples_noise = 16;   // fewer say too little about the error
 constexpr std::size_t batch_size = 6;   // paths traced together: measured, 4 and 16 are slower
-constexpr std::size_t timed_batch = 13; // one in so many is timed; prime: no pattern with tiles
+constexpr std::size_t timed_batch = 13; // every 13th is timed; prime: no pattern with tiles
 
 // Denormals cost Embree and shading dearly and mean nothing in a picture.
 class FlushDenormals {
@@ -45,8 +45,8 @@ class FlushDenormals {
 
 struct Tile {
     int x0, y0, x1, y1;
-    int done = 0; // samples per pixel
-    bool finished = false;
+    int done = 0;          // samples that each of its pixels has
+    bool finished = false; // all that were asked for, or enough to be free of noise
 };
 
 std::vector<Tile> cut(int width, int height) {
@@ -71,10 +71,11 @@ Crop checked_crop(const FilmSettings& film, const std::optional<Crop>& crop) {
 }
 
 // The width that one of a pixel's samples stands for, as a share of the pixel's: textures are
-// filtered by it, and the film's filter does the rest. N samples share the pixel's area, so it is
-// 1 / sqrt(N), by the number asked for: the same for every tile and thread. Runs that a clock or
-// the noise may end sooner go by the fewest samples that such a run trusts. Below an eighth there
-// is nothing to gain: a box so wide adds 1% to the variance of the film's default filter.
+// filtered by it, and the mean of the samples filters them over the rest of the pixel. N samples
+// share the pixel's area, so it is 1 / sqrt(N), by the number asked for: the same for every tile
+// and thread. Runs that a time limit or the noise may end sooner use the fewest samples after which
+// such a run may end. Below an eighth there is nothing to gain: a box so wide adds 1% to the
+// variance of the film's default filter.
 float sample_width(int samples, const RenderOptions& options) {
     if (options.time_limit > 0 || options.noise > 0)
         samples = std::min(samples, min_samples_noise);
@@ -111,6 +112,8 @@ class Job {
     }
     void pass(int samples);
     void render_tile(Tile& tile, int samples);
+    /// Of the samples per pixel that passes have asked for, those that all unfinished tiles have.
+    int least_done(int asked) const;
     void report();
 
     const RenderOptions& options_;
@@ -209,12 +212,15 @@ void Job::render_tile(Tile& tile, int samples) {
     const FlushDenormals flush;
     const int end = std::min(tile.done + samples, samples_);
     Batch batch(*this, static_cast<std::size_t>(tile.x0 / tile_side + tile.y0 + tile.done));
-    for (int y = tile.y0; y < tile.y1 && !cancelled(); ++y)
+    int y = tile.y0;
+    for (; y < tile.y1 && !cancelled(); ++y)
         for (int x = tile.x0; x < tile.x1; ++x)
             for (int s = tile.done; s < end; ++s)
                 batch.add(x, y, s);
     batch.flush();
     batch.report();
+    if (y < tile.y1)
+        return; // cancelled: the rows below still have the samples of the last pass
     tile.done = end;
     tile.finished = end >= samples_ ||
                     (options_.noise > 0 && end >= min_samples_noise &&
@@ -232,6 +238,14 @@ void Job::report() {
     context_.report(fmt::format("{:.1f} of {} samples, {:.2f} Mray/s", done, samples_,
                                 double(ray_count_.load()) / seconds_since(start_) * 1e-6),
                     std::min(1.0, done / samples_));
+}
+
+int Job::least_done(int asked) const {
+    int least = asked;
+    for (const Tile& tile : tiles_)
+        if (!tile.finished)
+            least = std::min(least, tile.done);
+    return least;
 }
 
 void Job::pass(int samples) {
@@ -253,7 +267,7 @@ RenderResult Job::run() {
         pass(samples);
         done += samples;
         if (options_.on_pass)
-            options_.on_pass(film_, std::min(done, samples_));
+            options_.on_pass(film_, least_done(std::min(done, samples_)));
         stop = std::all_of(tiles_.begin(), tiles_.end(),
                            [&](const Tile& tile) { return tile.finished || must_stop(tile); });
     }

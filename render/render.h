@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The renderer's front: a world and what lights it in, a film out.
+// From a world and a camera to a film.
 #pragma once
 
 #include "core/context.h"
@@ -31,14 +31,16 @@ struct RenderOptions {
     std::optional<Crop> crop; // its pixels are those of the full picture
     int threads = 0;          // 0: as many as allowed
     Mis mis = Mis::both;
-    std::function<void(const Film& film, int samples)> on_pass; // after every pass, for previews
+    /// Called after every pass, for previews; `samples`: that every pixel has, but for those that
+    /// are finished with fewer.
+    std::function<void(const Film& film, int samples)> on_pass;
 };
 
 struct RenderStats {
     std::uint64_t rays = 0;
     double seconds = 0;      // wall clock
     double cpu_seconds = 0;  // of the whole process
-    double embree_share = 0; // of the render threads' time, from one in 13 batches of paths
+    double embree_share = 0; // of the render threads' time, measured in every 13th batch of paths
     std::uint64_t invalid_samples = 0; // not finite or negative; dropped
     double samples_per_pixel = 0;      // mean reached
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 namespace scree {
 namespace {
 
@@ -270,6 +272,44 @@ TEST(Render, StopsOnCancelTimeAndNoise) {
     const RenderResult stopped = render(world, stage.camera, stage.film, options, context);
     EXPECT_TRUE(stopped.cancelled);
     EXPECT_EQ(stopped.stats.samples_per_pixel, 8);
+}
+
+// Requests the cancel at its n-th evaluation.
+class CancelsAt final : public Procedural {
+  public:
+    CancelsAt(Cancel& cancel, int evaluations) : cancel_(cancel), left_(evaluations) {}
+    void evaluate(std::span<const ShadingPoint> points,
+                  std::span<ShadingSample> samples) const override {
+        std::fill(samples.begin(), samples.end(), ShadingSample{});
+        if ((left_ -= static_cast<int>(points.size())) <= 0)
+            cancel_.request();
+    }
+
+  private:
+    Cancel& cancel_;
+    mutable std::atomic<int> left_;
+};
+
+TEST(Render, APassThatIsCancelledDoesNotCountItsSamples) {
+    Stage stage = small_stage(32, 1 << 20, 2);
+    Cancel cancel;
+    // In the second pass, within a tile.
+    const Paint paint{{Color(0.0F), std::make_shared<CancelsAt>(cancel, 32 * 32 + 20)}, {}};
+    stage.camera.from = {0.0F, 1.0F, 0.0F};
+    stage.camera.up = {0.0F, 0.0F, 1.0F};
+    stage.add(test::make_plane(10), Matte{paint});
+    Context context;
+    context.cancel = &cancel;
+    std::vector<int> passes;
+    RenderOptions options;
+    options.threads = 1;
+    options.on_pass = [&](const Film&, int samples) { passes.push_back(samples); };
+    const World world(stage.aggregates, stage.lights);
+    const RenderResult result = render(world, stage.camera, stage.film, options, context);
+    EXPECT_TRUE(result.cancelled);
+    EXPECT_EQ(passes, (std::vector<int>{1, 1}));
+    EXPECT_GT(result.stats.samples_per_pixel, 1);
+    EXPECT_LT(result.stats.samples_per_pixel, 1.25) << "a tile is a quarter of the picture";
 }
 
 TEST(Film, VarianceOfTheMeanIsRight) {
