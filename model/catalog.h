@@ -5,15 +5,15 @@
 
 namespace scree {
 
-/// Makes what a constructor of a script stands for, from its checked parameters.
+/// Makes the object that a script's constructor describes, from its checked parameters.
 using MakeObject = SharedObject(const Params& params);
 
 /// Everything that a scene script can name, by family: "mesh", "generator", ... A new kind of
 /// value is a new family; plug-ins are added to a family at any time before a script is read.
 class Catalog {
   public:
-    /// Takes over a table whose plug-ins make values of type T, or shared pointers to const T; the
-    /// family is the table's.
+    /// Adds the plug-ins of a table, which make values of type T or shared pointers to const T, to
+    /// the family that the table names.
     template <class T>
     void add(const Registry<T(const Params& params)>& table) {
         Registry<MakeObject>& family = this->family(table.family());

@@ -8,20 +8,21 @@
 
 namespace scree {
 
-/// Where a procedural is asked.
+/// Where a procedural is evaluated.
 struct ShadingPoint {
     Vec3 position;       // in the object's own frame [m]
-    float footprint = 0; // width of the pixel's filter square to the line of sight, likewise [m]
+    float footprint = 0; // width of the pixel's filter across the line of sight, in that frame [m]
     Vec2f uv{0.0F, 0.0F};
     float uv_footprint = 0; // the footprint in UV; 0 where the mesh has none
     float random = 0;       // of the instance, in [0, 1)
-    // The filter on the surface: two directions at right angles, each as long as the filter is wide
-    // there; (0, 0) for a point. Box filters of these widths are meant: variance length^2 / 12.
-    Vec3 across{0.0F, 0.0F, 0.0F}; // the narrow side: as wide as `footprint`
-    Vec3 along{0.0F, 0.0F, 0.0F};  // the long side, drawn out by the slant of the surface
+    // The filter projected onto the surface: two perpendicular vectors, each as long as the filter
+    // is wide in that direction; 0 for a point. They are widths of box filters: variance length^2
+    // / 12.
+    Vec3 across{0.0F, 0.0F, 0.0F}; // the shorter one: as long as `footprint`
+    Vec3 along{0.0F, 0.0F, 0.0F};  // the longer one: stretched where the surface is seen at a slant
 };
 
-/// What it answers.
+/// A procedural's answer at one point.
 struct ShadingSample {
     static constexpr float unset = -1;
 

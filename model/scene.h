@@ -23,7 +23,7 @@ struct Scene {
     FilmSettings film;
     std::optional<Camera> camera; // a picture needs one; baking and exports do without
     std::vector<Light> lights;
-    std::vector<Aggregate> aggregates; // one an item of the script's `objects`
+    std::vector<Aggregate> aggregates; // one per item of the script's `objects`
 };
 
 /// Where a file came from, for its header: version, scene, hash and settings; no times, so that the
@@ -33,7 +33,7 @@ Metadata provenance(const Scene& scene);
 /// One item of a script's `objects`, checked but not made yet: a generator, or a single object.
 struct SceneItem {
     std::string kind; // "layout", "object"
-    /// `number` counts the items of a scene from 0, so that equal objects look different.
+    /// `number`: of the item in its scene, from 0; it seeds what differs between equal objects.
     std::function<Aggregate(const Context& context, std::uint64_t number)> bake;
     Location where{}; // of its constructor
 };

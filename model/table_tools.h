@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Declarations that several of the renderer's tables share.
+// Declarations that several of the tables share.
 #pragma once
 
 #include "core/params.h"
 
 namespace scree {
 
-/// Light may be this bright and no brighter; a reflectance, 1.
+/// For check_color: light may have this radiance at most; a reflectance, 1.
 inline constexpr float any_radiance = 1e9F;
 
 ParamSpec strength_spec(double fallback, std::string doc, std::string unit);

@@ -14,10 +14,10 @@ namespace {
 // (Pharr, Jakob & Humphreys 2016, section 14.5.4).
 constexpr int first_roulette_edge = 4;
 
-// A filter as wide as the way: 53 degrees.
+// A filter that is as wide as it is far away: 53 degrees.
 constexpr float widest_spread = 1;
 
-// Shadow rays end this share of their way before the light, so as not to meet it.
+// Shadow rays end at this share of the distance to the light, so as not to hit it.
 constexpr float before_light = 1 - 0x1p-12F;
 
 float power_heuristic(float a, float b) { // Veach 1997, eq. 9.13 with beta = 2
@@ -58,7 +58,7 @@ void Integrator::add_escaped(Path& path) const {
 
 void Integrator::add_light(Path& path, const Hit& hit) const {
     float pdf = 0;
-    // The density is that of the way from the scattering point, not from the ray's offset origin.
+    // Light sampling starts at the scattering point, not at the ray's offset origin.
     const Color radiance =
         lights_.area(hit.light, path.point_, path.ray_.direction, hit.distance, pdf);
     if (!black(radiance))
@@ -83,7 +83,7 @@ void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface,
     add(path, bsdf.value * light.radiance * (weight / light.pdf), path.edges_ + 1);
 }
 
-// Takes a path that has gone into a translucent thing to where it comes out.
+// Takes a path that has entered a translucent object to where it comes out.
 void Integrator::walk(Path& path, RayCount& count) const {
     const std::uint32_t bounce = bounce_of(path.edges_);
     const float choice = path.sampler_.pair(dimension::at(bounce, dimension::roulette)).y;
@@ -102,7 +102,7 @@ void Integrator::walk(Path& path, RayCount& count) const {
     }
 }
 
-// Adds what the end of the path's ray brings by itself; false unless light may scatter there.
+// Adds the light emitted at the end of the path's ray; false unless light may be scattered there.
 bool Integrator::arrive(Path& path) const {
     if (!path.found_.found()) {
         add_escaped(path);
@@ -131,7 +131,7 @@ bool Integrator::arrive(Path& path) const {
     return path.edges_ < depth_ || first;
 }
 
-// Scatters the path at the surface that it has met; false at its end.
+// Scatters the path at the surface that it has hit; false when it ends there.
 bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCount& count) const {
     const Hit& hit = path.hit_;
     const bool emerging = path.walking_;
@@ -172,8 +172,8 @@ bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCou
             surface.outside ? surface.material->absorption() : Color(0.0F, 0.0F, 0.0F);
         path.absorbing_ = !black(path.absorption_);
     }
-    // A direction of density p stands for 1 / p of solid angle, N samples of the pixel for 1 / N of
-    // that each: what a wide lobe sees is seen widely, and costs no more detail than that.
+    // A direction of density p stands for a solid angle of 1 / p, and each of the N samples of the
+    // pixel for 1 / N of that: textures seen by way of a wide lobe are filtered as widely.
     if (!scattered.delta)
         path.spread_ =
             std::max(path.spread_, std::min(widest_spread, share / std::sqrt(scattered.pdf)));
@@ -185,7 +185,7 @@ bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCou
     return true;
 }
 
-// Takes all paths on from the ends of their rays; whether any goes on.
+// Scatters all paths at the ends of their rays; whether any goes on.
 bool Integrator::shade(std::span<Path> paths, float share, RayCount& count) const {
     bool any = false;
     std::array<Path*, most_painted> met;

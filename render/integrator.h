@@ -13,7 +13,8 @@
 
 namespace scree {
 
-/// How direct light is found; all agree in the mean. `both` is best, the others are for tests.
+/// How direct light is sampled; all have the same mean. `both` has the least noise, the others are
+/// for tests.
 enum class Mis { both, light_only, bsdf_only };
 
 /// Work done, for the statistics.
@@ -25,11 +26,11 @@ struct RayCount {
 /// A path under way.
 class Path {
   public:
-    /// `spread`: width of the path's share of the pixel's filter per metre of way.
+    /// `spread`: how much the filter that the path stands for widens per metre.
     Path(const CameraRay& ray, float spread, const Sampler& sampler)
         : ray_{ray.origin, ray.direction}, point_(ray.origin), spread_(spread), sampler_(sampler) {}
 
-    /// What it has brought back; complete once it has been traced.
+    /// Complete once the path has been traced.
     const PathSample& sample() const { return sample_; }
 
   private:
@@ -40,15 +41,15 @@ class Path {
     RawHit found_; // at the end of ray_
     Hit hit_;      // the same, where it is a surface
     Color throughput_{1.0F, 1.0F, 1.0F};
-    Color absorption_{0.0F, 0.0F, 0.0F}; // of the glass around, if any [1/m]
-    Color color_;                        // of the translucent surface that it went into
+    Color absorption_{0.0F, 0.0F, 0.0F}; // of the glass that the ray is in, if any [1/m]
+    Color color_;                        // of the translucent surface that it entered
     Vec3 point_;                         // where the ray was scattered
     float pdf_ = 0;                      // of its direction
     float width_ = 0;                    // of the filter where the ray begins [m]
-    float spread_;                       // by how much it widens per metre of way
+    float spread_;                       // how much the filter widens per metre
     bool delta_ = true;                  // its direction cannot be found by light sampling
     bool absorbing_ = false;
-    bool walking_ = false; // under a translucent surface since it met the last one
+    bool walking_ = false; // has entered a translucent surface and not come out yet
     bool alive_ = true;
     int edges_ = 1; // of the path up to the ray's end
     Sampler sampler_;
@@ -60,11 +61,11 @@ class Integrator {
     /// `world` must outlive this.
     Integrator(const World& world, int depth, float clamp, Mis mis);
 
-    /// Follows the paths to their ends, all together by one edge at a time, so that the memory
-    /// traffic of one is hidden behind the rays of the others and textures are asked about all of
-    /// them at once; each is as if it were alone.
-    /// `share`: width of what one sample stands for among those of its pixel, as a share of the
-    /// whole: of the pixel's filter, and of a lobe in which a path is scattered.
+    /// Follows the paths to their ends, one edge of all paths at a time: memory is fetched for one
+    /// while the rays of the others are traced, and a texture is evaluated for all of them at once.
+    /// The results are the same as for each path alone.
+    /// `share`: the width that one sample covers of its pixel's filter, and of a lobe in which its
+    /// path is scattered, as a share of the whole width.
     void trace(std::span<Path> paths, float share, RayCount& count) const;
 
   private:

@@ -12,12 +12,12 @@ namespace scree {
 
 namespace {
 
-// A surface seen along itself draws the filter out without end. Beyond this factor (an angle of
-// one degree) a row of pixels shows so much of the surface that its mean is all that is left.
+// At a grazing angle the projected filter grows without bound. Below this cosine (an angle of one
+// degree) a row of pixels shows so much of the surface that only its mean can be seen.
 constexpr float least_cosine = 1.0F / 64;
 
-// Turns two vectors in their plane so that they stand at right angles, with the same
-// sum of v v^T, the filter's second moments; the shorter one first.
+// Turns two vectors in their plane until they are perpendicular and keeps the sum of v v^T, the
+// filter's second moments; the shorter one first.
 void straighten(Vec3& across, Vec3& along) {
     const float product = across.dot(along);
     const float difference = along.dot(along) - across.dot(across);
@@ -46,9 +46,9 @@ ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprin
     point.position = hit.object_position;
     point.random = hit.random;
 
-    const Vec3 level = hit.normal.cross(direction); // as long as the sine of the slant
+    const Vec3 level = hit.normal.cross(direction); // its length is the sine of the slant
     const float square = level.dot(level);
-    // Straight from above all directions are alike, and the cross product has no digits.
+    // Seen straight from above all directions are equal, and the cross product has no digits.
     const Vec3 across = square > 1e-10F ? level * (1 / std::sqrt(square)) : Frame(hit.normal).x;
     const float cosine = std::max(least_cosine, std::abs(hit.normal.dot(direction)));
     point.across = record.inverse_direction(across * footprint);

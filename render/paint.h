@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a material's paint says of a hit: its colour, its roughness and the bend of its normal.
+// What a material's paint says of a hit: its colour, its roughness and its bumped normal.
 #pragma once
 
 #include "model/material.h"
@@ -10,9 +10,9 @@
 
 namespace scree {
 
-/// Where a procedural is asked about a hit that was reached along `direction`: the pixel's filter,
-/// a square `footprint` wide [m] that faces the ray, laid onto the surface and taken to the
-/// object's frame. Not for hits on lights.
+/// Where a procedural is evaluated for a hit that was reached along `direction`: the pixel's
+/// filter, a square `footprint` wide [m] that faces the ray, is projected onto the surface and
+/// taken to the object's frame. Not for hits on lights.
 ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprint);
 
 /// The shading normal of the surface raised by a height whose gradient in the object's frame is
@@ -20,8 +20,8 @@ ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprin
 /// with the object (Mikkelsen 2010: the surface gradient).
 Vec3 bent_normal(const Hit& hit, const Vec3& slope);
 
-/// A hit whose paint is asked for, reached along `direction` and seen with a filter `footprint`
-/// wide [m].
+/// A hit whose paint is wanted; it was reached along `direction` and is seen with a filter
+/// `footprint` wide [m].
 struct PaintQuery {
     const Paint* paint;
     const Hit* hit;

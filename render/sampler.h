@@ -78,7 +78,7 @@ class Sampler {
         return {sobol::to_unit(sobol::reverse_bits(x)), sobol::to_unit(sobol::reverse_bits(y))};
     }
 
-    /// Of streams of random numbers for what takes more of them than there are dimensions.
+    /// Key of a stream of random numbers, for what needs more of them than there are dimensions.
     std::uint64_t key() const { return (std::uint64_t{pixel_} << 32) | reversed_sample_; }
 
   private:
@@ -86,13 +86,13 @@ class Sampler {
     std::uint32_t reversed_sample_;
 };
 
-/// Which dimension serves what: fixed, so that a longer path never shifts those of a shorter one.
+/// Which dimension is used for what: fixed, so that the length of a path never shifts them.
 namespace dimension {
 inline constexpr std::uint32_t film = 0;
 inline constexpr std::uint32_t lens = 1;
 inline constexpr std::uint32_t first_bounce = 2;
 inline constexpr std::uint32_t per_bounce = 4;
-/// Added to a bounce: light that emerges from a translucent thing is scattered anew.
+/// Added to a bounce where light leaves a translucent object, which scatters it once more.
 inline constexpr std::uint32_t emerging = 1U << 16;
 enum Use : std::uint32_t { direction, light, choice, roulette };
 inline constexpr std::uint32_t at(std::uint32_t bounce, Use use) {

@@ -11,8 +11,8 @@ namespace scree {
 
 namespace {
 
-// Of white light in half a space 2% gets so far (160 steps are the mean), of light in a medium of
-// color 0.97 1%, of which a half would be absorbed later, and in one of 0.9 nothing: simulated.
+// By simulation in a half space: of light in a white medium 2% takes so many steps (the mean is
+// 160), in one of color 0.97 1%, half of which would be absorbed later, in one of 0.9 none.
 constexpr int most_steps = 4096;
 
 // Most walks are over by then.
@@ -22,13 +22,13 @@ const Color white(1.0F, 1.0F, 1.0F);
 
 float largest(const Color& c) { return std::max({c.x, c.y, c.z}); }
 
-// The channels' densities of one and the same walk. Only their ratios matter.
+// The density with which each channel would have sampled the same walk. Only their ratios matter.
 class ChannelDensities {
   public:
     ChannelDensities(const Color& mean_free_path, const Color& throughput, float choice) {
         const float sum = throughput.x + throughput.y + throughput.z;
         for (int c = 0; c < 3; ++c) {
-            // A tenth goes to all alike, so that weights are bounded in dark channels too.
+            // A tenth is shared equally, so that weights are bounded in dark channels too.
             share_[c] = 0.9F * throughput[c] / sum + 0.1F / 3;
             extinction_[c] = 1 / mean_free_path[c];
         }
@@ -36,7 +36,7 @@ class ChannelDensities {
         grey_ = extinction_.x == extinction_.y && extinction_.y == extinction_.z;
     }
 
-    /// A way to the next scattering.
+    /// Distance to the next scattering [m].
     float sample(Random& random) const {
         return static_cast<float>(random.exponential()) / extinction_[chosen_];
     }
@@ -56,7 +56,7 @@ class ChannelDensities {
         density_ /= largest(density_); // long walks would leave the range of floats
     }
 
-    /// Each channel's density over that with which the walk was found.
+    /// Each channel's density over that with which the walk was sampled.
     Color weight() const { return grey_ ? white : density_ / density_.dot(share_); }
 
   private:

@@ -40,7 +40,8 @@ float single_bounce(float cosine, float alpha, float ior) {
 
 AlbedoTable::AlbedoTable(float alpha, float ior) {
     for (int i = 0; i < size; ++i) {
-        // Straight along the surface the formulas divide by zero; a thousandth is near enough.
+        // At grazing incidence the formulas divide by zero; a cosine of a thousandth is near
+        // enough.
         const float cosine = std::max(1e-3F, static_cast<float>(i) / (size - 1));
         values_[static_cast<unsigned>(i)] = single_bounce(cosine, alpha, ior);
     }

@@ -20,7 +20,7 @@ double srgb_from_linear(double v) { // IEC 61966-2-1
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-// One entry for every half there is, so that shadows and highlights are as fine as each other.
+// One entry for every 16-bit float, so that shadows and highlights are equally precise.
 OCIO::TransformRcPtr filmic_transform() {
     constexpr unsigned halves = 1U << 16;
     const OCIO::Lut1DTransformRcPtr lut = OCIO::Lut1DTransform::Create(halves, true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From light to what a screen shows: the only door to OpenColorIO.
+// From linear light to what a screen shows: the only door to OpenColorIO.
 #pragma once
 
 #include "core/image.h"
@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// Names of the views there are, the default one first: our own "filmic" and "standard", or those
+/// Names of all views, the default one first: our own "filmic" and "standard", or those
 /// of the configuration that $OCIO names. Throws Error (input) when that cannot be read.
 std::vector<std::string> view_names();
 

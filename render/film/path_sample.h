@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// What one path brings back.
+/// What one path adds to its pixel.
 struct PathSample {
     static constexpr std::uint32_t none = 0xffffffffU;
 

@@ -64,7 +64,7 @@ float AreaSampler::irradiance(const Vec3& point) const {
     const float height = -way.dot(normal_); // above the light's plane
     if (!(height > 0))
         return 0;
-    // The point light in its centre, but never more than the half space full of light would give.
+    // That of a point light at its centre, but never more than a hemisphere of light would give.
     const float square = way.dot(way);
     const float cosine = height / std::sqrt(square);
     return luminance(radiance_) * std::min(pi_f, area_ * cosine / square);
@@ -111,7 +111,7 @@ LightSample LightSampler::sample(const Vec3& point, float choice, const Vec2f& u
     float chosen_weight = 0;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const float w = weight(i, point);
-        if (w > 0) { // by rounding, the last one may be left over
+        if (w > 0) { // by rounding, `left` may exceed the last one's weight
             chosen = i;
             chosen_weight = w;
             if (left < w)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scene's lights made ready: which light, which direction, with what density.
+// Sampling of a scene's lights: which light, which direction, with what density.
 #pragma once
 
 #include "core/frame.h"
@@ -52,7 +52,8 @@ class AreaSampler {
     /// Density of arriving at distance `distance` along `direction` from some point.
     float pdf(const Vec3& direction, float distance) const;
     LightSample sample(const Vec3& point, const Vec2f& u) const;
-    /// About the irradiance at `point` on a surface that faces the light; 0 only where it is 0.
+    /// An estimate of the irradiance at `point` on a surface that faces the light; 0 only where the
+    /// irradiance is 0.
     float irradiance(const Vec3& point) const;
 
   private:
@@ -66,8 +67,8 @@ class AreaSampler {
 /// would give, unoccluded, to a surface that faces it.
 class LightSampler {
   public:
-    /// `compensate`: leave to BSDF sampling what it does well, the even part of the sky (Karlík et
-    /// al. 2019, "MIS compensation"); for use with MIS only.
+    /// `compensate`: leave the uniform part of the sky to BSDF sampling, which is good at it
+    /// (Karlík et al. 2019, "MIS compensation"); for use with MIS only.
     LightSampler(std::span<const Light> lights, bool compensate);
 
     /// pdf 0 when no light can be sampled from this point.

@@ -51,12 +51,12 @@ SkySampler::SkySampler(const Sky& sky, bool compensate)
     std::vector<float> weights(mean.size());
     for (std::size_t i = 0; i < mean.size(); ++i) {
         const double angle = solid_angle[i / std::size_t(width)];
-        // A constant sky must leave exactly nothing.
+        // Of a constant sky exactly nothing must be left.
         const double value = constant_ && compensate ? 0 : std::max(0.0, mean[i] - even);
         left += value * angle;
         weights[i] = static_cast<float>(value * angle);
     }
-    irradiance_ = static_cast<float>(left) / 4; // of an even sphere of light: pi L = 4 pi L / 4
+    irradiance_ = static_cast<float>(left) / 4; // of a uniform sphere of light: pi L = 4 pi L / 4
     distribution_ = Distribution2D(weights, width, height);
 }
 
@@ -78,7 +78,7 @@ Vec2f SkySampler::image_from_direction(const Vec3& d) const {
     return {u - std::floor(u), v};
 }
 
-// Uniform by solid angle within a row: even in the height, not in the angle.
+// Uniform by solid angle within a row: in the cosine, not in the angle.
 Vec3 SkySampler::direction_from_image(const Vec2f& p, std::size_t& row) const {
     const float position = p.y * static_cast<float>(scale_.size());
     row = std::min(static_cast<std::size_t>(position), scale_.size() - 1);

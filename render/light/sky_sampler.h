@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// A sky made ready: its radiance, and directions in proportion to it.
+/// The radiance of a sky, and directions sampled in proportion to it.
 class SkySampler {
   public:
     SkySampler(const Sky& sky, bool compensate);

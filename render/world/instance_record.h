@@ -15,11 +15,11 @@ struct InstanceRecord {
     float random;
     float scale; // of lengths, mean over the axes
     bool mirrored;
-    bool similar; // a turn and one scale, as generators make: normals go as directions do
+    bool similar; // a rotation and one scale, as generators make: normals transform as directions
 
     Vec3 direction(const Vec3& v) const { return rows[0] * v.x + rows[1] * v.y + rows[2] * v.z; }
     Vec3 point(const Vec3& v) const { return direction(v) + rows[3]; }
-    // What `direction` makes `v` of: by the transpose, or by Cramer's rule.
+    // The inverse of `direction`: by the transpose, or by Cramer's rule.
     Vec3 inverse_direction(const Vec3& v) const {
         if (similar)
             return Vec3(rows[0].dot(v), rows[1].dot(v), rows[2].dot(v)) * (1 / (scale * scale));
@@ -27,7 +27,7 @@ struct InstanceRecord {
         return Vec3(yz.dot(v), rows[2].cross(rows[0]).dot(v), rows[0].cross(rows[1]).dot(v)) /
                rows[0].dot(yz);
     }
-    // Normals go by the cofactors, up to a positive factor.
+    // Normals transform by the cofactors, up to a positive factor.
     Vec3 normal(const Vec3& n) const {
         if (similar)
             return direction(n);
@@ -37,7 +37,7 @@ struct InstanceRecord {
     }
 };
 
-/// Up to the roundings of a matrix of floats, and without a mirror.
+/// Whether the matrix is a rotation and one scale, up to rounding, without a reflection.
 inline bool is_similarity(const InstanceRecord& record) {
     const float square = record.scale * record.scale;
     const float allowed = 1e-5F * square;

@@ -11,7 +11,7 @@
 
 namespace scree {
 
-/// A cheap running clock for shares of time; its unit differs between machines.
+/// A cheap clock to measure shares of time with; its unit differs between machines.
 inline std::uint64_t ticks() {
 #if defined(__x86_64__)
     return __rdtsc();

@@ -8,8 +8,8 @@
 
 namespace scree {
 
-/// All that shading needs of a triangle in one cache line: rays that have bounced hit at random,
-/// and indices, positions and normals in arrays of their own would cost seven lines a hit.
+/// All that shading needs of a triangle in one cache line: bounced rays hit triangles at random,
+/// and indices, positions and normals in separate arrays would cost seven cache lines a hit.
 struct alignas(64) TriangleRecord {
     Vec3 positions[3];
     std::int16_t normals[3][3]; // of unit vectors, in steps of 1 / 32767

@@ -13,7 +13,7 @@ namespace {
 
 using test::Stage;
 
-constexpr double alpha = 1e-4; // chance of a false alarm per test; seeds are fixed anyway
+constexpr double alpha = 1e-4; // chance of a false alarm per test; seeds are fixed
 
 struct Mean {
     double value = 0;
@@ -45,7 +45,7 @@ Stage small_stage(int side, int samples, int depth) {
     return stage;
 }
 
-// White things under a white sky cannot be seen. Flat normals: soft terminators cost light.
+// White objects under a white sky cannot be seen. With flat normals: soft terminators lose light.
 TEST(Furnace, WhiteMattesVanishInEveryPixel) {
     Stage stage = small_stage(24, 64, 200);
     stage.lights.push_back(test::even_sky(1));
@@ -69,7 +69,7 @@ TEST(Furnace, WhiteMattesVanishInEveryPixel) {
     }
 }
 
-// White, with a roughness that runs through all values over the height.
+// White, with a roughness that takes all values from the bottom to the top.
 class Bands final : public Procedural {
   public:
     void evaluate(std::span<const ShadingPoint> points,

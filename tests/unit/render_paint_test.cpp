@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What procedurals are asked and what becomes of their answers, under every kind of transform.
+// Where procedurals are evaluated and what becomes of their answers, under every kind of transform.
 #include "core/random.h"
 #include "render/bsdf/ggx.h"
 #include "render/paint.h"
@@ -107,7 +107,7 @@ TEST(Paint, FilterLiesOnTheSurfaceInTheObjectsFrame) {
             const DVec3 b =
                 direction(placed.inverse, level.cross(n).normalized() * (double(width) / cosine));
             if (trial % 10 == 0 && !placed.record.similar)
-                continue; // any pair of directions is as good, so there is no one to compare with
+                continue; // any pair of directions is as good, so there is nothing to compare with
             const double size = b.dot(b) + a.dot(a);
             for (int i = 0; i < 3; ++i)
                 for (int j = i; j < 3; ++j)
@@ -115,7 +115,7 @@ TEST(Paint, FilterLiesOnTheSurfaceInTheObjectsFrame) {
         }
 }
 
-// Bumps so small and steep that the sphere's own curvature does not count.
+// Bumps so small and steep that the curvature of the sphere does not matter.
 constexpr double amplitude = 1e-5;
 double height(const DVec3& p) {
     return amplitude * (std::sin(30000 * p.x) + std::cos(40000 * p.y) * std::sin(20000 * p.z));
@@ -156,7 +156,7 @@ TEST(Paint, BentNormalIsThatOfTheRaisedSurface) {
     EXPECT_GT(most, 0.3) << "too flat to tell anything";
 }
 
-// Says what it was asked.
+// Records what it was asked.
 class Probe final : public Procedural {
   public:
     explicit Probe(const ShadingSample& answer) : answer_(answer) {}
@@ -239,7 +239,7 @@ TEST(Paint, OneQuestionPerHitAnswersAll) {
         const Vec3 expected = Vec3(-0.5F, 1.0F, 0.0F).normalized();
         EXPECT_LT((surface.frame.z - expected).length(), 1e-5F) << hit.material;
     }
-    // Unless it says so, it leaves normal and roughness alone.
+    // A procedural that gives neither slope nor roughness changes neither.
     const Paint plain{{Color(0.0F), std::make_shared<Probe>(ShadingSample{})}, {}};
     const MaterialSet metal = test::material_set({Metal{plain, 0.1F}});
     hit.material = 0;

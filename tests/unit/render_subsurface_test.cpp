@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Translucent things against closed forms of transport theory, and against each other.
+// Translucent objects against closed forms of transport theory, and against each other.
 #include "render/subsurface.h"
 #include "tests/support/rendering.h"
 
@@ -31,7 +31,7 @@ Mean mean(const Film& film, int channel) {
     return result;
 }
 
-// A look at the middle of a ball about the origin under a white sky.
+// A view of the middle of a ball around the origin under a white sky.
 Stage furnace(float radius, int samples) {
     Stage stage;
     stage.film.width = stage.film.height = 8;
@@ -120,7 +120,7 @@ TEST(Subsurface, WhiteVanishesInAWhiteFurnace) {
                 EXPECT_EQ(result.stats.invalid_samples, 0U);
                 for (const int channel : {0, 1, 2}) {
                     const Mean m = mean(result.film, channel);
-                    // What the table of the coat is off, as for plastics.
+                    // The error of the coat's table, as for plastics.
                     EXPECT_NEAR(m.value, 1, 4 * m.error + 0.003)
                         << distance << " channel " << channel << " mis " << int(mis);
                     EXPECT_LT(m.error, 0.02);
@@ -128,7 +128,7 @@ TEST(Subsurface, WhiteVanishesInAWhiteFurnace) {
             }
 }
 
-// The coat of an index near 1 reflects next to nothing.
+// The coat of an index near 1 reflects almost nothing.
 TEST(Subsurface, LargeBallShowsItsColor) {
     const Color color(0.95F, 0.8F, 0.2F);
     Stage stage = furnace(1, 256);
@@ -142,9 +142,9 @@ TEST(Subsurface, LargeBallShowsItsColor) {
     }
 }
 
-// A medium that only absorbs: chords of a ball of diameter 1 from a point on it in a direction by
-// the cosine have the density 2 l, so that 2 (1 - (1 + x) exp(-x)) / x^2 of the light gets through,
-// x mean free paths for the diameter.
+// A medium that only absorbs. Chords of a ball of diameter 1 that begin at a point on it, in
+// cosine-distributed directions, have a length of density 2 l, so that a share of
+// 2 (1 - (1 + x) exp(-x)) / x^2 of the light gets through; x is the diameter in mean free paths.
 double through_ball(double x) { return 2 * (1 - (1 + x) * std::exp(-x)) / (x * x); }
 
 TEST(Subsurface, BlackBallAbsorbsByItsChords) {
@@ -153,8 +153,8 @@ TEST(Subsurface, BlackBallAbsorbsByItsChords) {
     Mesh ball = test::make_sphere(1, 64, false);
     Mesh nested = ball;
     append(nested, test::make_sphere(0.5F, 32, false));
-    // The mesh, its scale, and what is in the way: a part of the same mesh, and things that the
-    // walk must not see.
+    // The mesh, its scale, and obstacles: another part of the same mesh, and other objects, which
+    // the walk must not see.
     for (const Mesh& mesh : {ball, nested})
         for (const float scale : {0.5F, 2.0F}) {
             Stage stage = furnace(scale, 512);
@@ -173,7 +173,7 @@ TEST(Subsurface, BlackBallAbsorbsByItsChords) {
         }
 }
 
-// What the other channels' distances are makes no difference to a channel.
+// A channel does not depend on the distances of the others.
 TEST(Subsurface, ChannelsAreWeightedRight) {
     const Color color(0.8F, 0.7F, 0.3F);
     const Color distance(0.8F, 0.3F, 0.05F);
@@ -214,7 +214,7 @@ TEST(Subsurface, OpenMeshLooksLikePlastic) {
     }
 }
 
-// A bowl of half a ball: light gets out over the rim. It ends, and none is won.
+// A bowl, half a ball: light gets out over the rim. The walk ends, and no light is gained.
 TEST(Subsurface, HolesAreNoSource) {
     Mesh bowl = test::make_sphere(1, 24, false);
     std::erase_if(bowl.triangles,
