@@ -5,12 +5,14 @@
 #include "model/generator.h"
 #include "model/procedural.h"
 #include "model/table.h"
+#include "render/render.h"
 #include "scenes/reader/scene.h"
 #include "session/catalog.h"
 #include "session/export_scene.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <unistd.h>
 
@@ -18,18 +20,20 @@ namespace scree {
 
 Plugin<Bake> line_plugin();
 Plugin<MakeProcedural> layers_plugin();
+Plugin<MakeMaterial> dust_plugin();
 SceneFormat csv_format();
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene that uses the examples' generator and procedural.
+/// A scene that uses the examples' generator, procedural and material.
 const char* const script = R"(
 local stripes = material.matte { color = procedural.layers { thickness = 0.02 } }
 return scene { objects = {
   generator.line { shape = mesh.box { width = 0.05 }, step = 0.2, count = 4 },
-  object { shape = mesh.sphere {}, material = stripes } } }
+  object { shape = mesh.sphere {}, material = stripes },
+  object { shape = mesh.plane { size = 1 }, material = material.dust { color = { 0.5, 1, 0 } } } } }
 )";
 
 std::string temporary_file(const std::string& ending) {
@@ -47,6 +51,9 @@ auto with_baked(Use use) {
     Registry<MakeProcedural> procedurals("procedural");
     procedurals.add(layers_plugin());
     catalog.add(procedurals);
+    Registry<MakeMaterial> materials("material");
+    materials.add(dust_plugin());
+    catalog.add(materials);
 
     const std::string path = temporary_file(".lua");
     write_file(path, script);
@@ -62,7 +69,7 @@ Scene baked() {
 
 TEST(Examples, TheGeneratorPlacesItsCopies) {
     const Scene scene = baked();
-    ASSERT_EQ(scene.aggregates.size(), 2U);
+    ASSERT_EQ(scene.aggregates.size(), 3U);
     const Aggregate& line = scene.aggregates.front();
     ASSERT_EQ(line.instances.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i)
@@ -83,6 +90,26 @@ TEST(Examples, TheProceduralIsFilteredOverThePixel) {
     ShadingSample blurred;
     layers.evaluate({&point, 1}, {&blurred, 1});
     EXPECT_NEAR(blurred.value, 0.5, 1e-4);
+}
+
+// Of light from all sides a surface of white grains, seen from straight above, gives back
+// (1 - ln 2) / 2: the integral of the BRDF times the cosine.
+TEST(Examples, TheMaterialScattersAsItsFormulaSays) {
+    const Scene scene = baked();
+    const std::vector<Light> lights{Sky{}};
+    const World world({&scene.aggregates[2], 1}, lights);
+    const Camera camera{.from = {0, 1, 0}, .at = Vec3(0), .up = {0, 0, 1}, .fov = 0.01F};
+    const FilmSettings film{.width = 8, .height = 8, .samples = 256, .depth = 2};
+    const Image picture = render(world, camera, film, {}).film.beauty();
+    Imath::V3d mean(0);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x)
+            for (int c = 0; c < 3; ++c)
+                mean[c] += double(picture.at(x, y)[c]) / 64;
+    const double white = (1 - std::log(2)) / 2;
+    EXPECT_NEAR(mean.x, 0.5 * white, 0.001);
+    EXPECT_NEAR(mean.y, white, 0.002);
+    EXPECT_EQ(mean.z, 0);
 }
 
 TEST(Examples, TheFormatWritesWhatWasGenerated) {
