@@ -3,6 +3,7 @@
 #include "geometry/plane/region_tools.h"
 #include "shapes/table.h"
 #include "tests/support/plugin_params.h"
+#include "tests/support/sound_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -14,39 +15,10 @@
 namespace scree {
 namespace {
 
-Mesh make(const std::string& name, const std::vector<std::pair<std::string, Value>>& values = {}) {
-    const auto table = component_table();
-    const Plugin<MakeMesh>& plugin = *table.find(name);
-    Params params = tests::defaults(plugin.params, "mesh." + plugin.name);
-    for (const auto& [key, value] : values)
-        params.set(key, value);
-    return plugin.make(params);
-}
+using tests::expect_sound;
 
-void expect_sound(const Mesh& mesh, const std::string& what) {
-    SCOPED_TRACE(what);
-    ASSERT_FALSE(mesh.triangles.empty());
-    const MeshFacts facts = inspect(mesh);
-    EXPECT_TRUE(facts.finite);
-    EXPECT_EQ(facts.degenerate_triangles, 0U);
-    EXPECT_EQ(facts.non_manifold_edges, 0U);
-    if (mesh.name != "plane") {
-        EXPECT_EQ(facts.boundary_edges, 0U);
-        EXPECT_GT(volume(mesh), 0);
-    }
-    ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
-    ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
-    float worst = 0;
-    for (const Vec3& n : mesh.normals)
-        worst = std::max(worst, std::isfinite(n.length()) ? std::abs(n.length() - 1) : 1e9F);
-    EXPECT_LT(worst, 1e-4F);
-    for (const Vec2f& uv : mesh.uvs)
-        ASSERT_TRUE(std::isfinite(uv.x) && std::isfinite(uv.y));
-    const Box3 box = bounds(mesh);
-    const float tolerance = 1e-5F * box.size().length();
-    EXPECT_EQ(box.min.y, 0.0F);
-    EXPECT_NEAR(box.center().x, 0.0F, tolerance);
-    EXPECT_NEAR(box.center().z, 0.0F, tolerance);
+Mesh make(const std::string& name, const std::map<std::string, Value>& values = {}) {
+    return tests::make(component_table(), name, values);
 }
 
 // The area of the triangles whose shading normals lean more than 60 degrees from their plane.
