@@ -3,7 +3,7 @@
 
 #include "model/material.h"
 
-#include "generators/pile/orientation_flow.h"
+#include "generators/pile/flow_settings.h"
 
 namespace scree {
 
@@ -118,11 +118,11 @@ std::vector<ParamSpec> cut_specs() {
     return {
         {.name = "normal",
          .type = ParamType::vector3,
-         .doc = "Points to what is left out.",
+         .doc = "Points to what is left out, in the target's frame.",
          .fallback = Vec3(0, 0, 1)},
         {.name = "point",
          .type = ParamType::vector3,
-         .doc = "Lies in the plane.",
+         .doc = "Lies in the plane, in the target's frame.",
          .unit = "m",
          .fallback = Vec3(0)},
     };
@@ -138,12 +138,15 @@ std::vector<ParamSpec> pile_specs() {
          .doc = "The shape whose surface is covered."},
         {.name = "position",
          .type = ParamType::vector3,
-         .doc = "Where the target's origin stands.",
+         .doc = "Where the target's origin stands. The target's frame is moved there with the pile "
+                "and with all that is given in it: floor, cut and flow.",
          .unit = "m",
          .fallback = Vec3(0)},
         {.name = "turn",
          .type = ParamType::number,
-         .doc = "By which the whole pile is turned about the upright axis.",
+         .doc =
+             "By which the target's frame, with the whole pile, is turned about the upright axis "
+             "through the target's origin.",
          .unit = "deg",
          .fallback = 0.0,
          .min = -36000,
@@ -176,8 +179,8 @@ std::vector<ParamSpec> pile_specs() {
          .max = 1e5},
         {.name = "cut",
          .type = ParamType::record,
-         .doc = "What lies beyond a plane is left out of the finished pile, so that one sees "
-                "inside.",
+         .doc = "A plane in the target's frame: what lies beyond it is left out of the finished "
+                "pile, so that one sees inside.",
          .optional = true,
          .fields = cut_specs()},
         own(spacing("C_radius: how far apart components are tried, in radii of their largest "
@@ -191,12 +194,12 @@ std::vector<ParamSpec> pile_specs() {
         {.name = "frame",
          .type = ParamType::choice,
          .doc = "surface: v is the surface's normal; flow: and u follows a flow; global: u, v and "
-                "w are the world's x, y and z.",
+                "w are the x, y and z axes of the target's frame.",
          .fallback = std::string("surface"),
          .choices = {"surface", "global", "flow"}},
         {.name = "flow",
          .type = ParamType::record,
-         .doc = "What u follows along the surface with frame = \"flow\".",
+         .doc = "What u follows along the surface with frame = \"flow\", in the target's frame.",
          .optional = true,
          .fields = flow_specs()},
         {.name = "overlap",
@@ -258,9 +261,9 @@ std::vector<ParamSpec> pile_specs() {
          .fallback = true},
         {.name = "floor",
          .type = ParamType::number,
-         .doc =
-             "Height of a level floor that holds components up; unless given, there is none, or, "
-             "if nothing sticks to the target, one under the lowest component.",
+         .doc = "Height of a level floor that holds components up, in the target's frame; unless "
+                "given, there is none, or, if nothing sticks to the target, one under the lowest "
+                "component.",
          .unit = "m",
          .optional = true,
          .min = -1e4,

@@ -96,9 +96,7 @@ Rules house_rules() {
         {"geometry/mesh", {"core"}},
         {"geometry/figures", {"core", "geometry/plane"}},
         {"geometry/sampling", {"core", "geometry/plane", "geometry/mesh"}},
-        {"geometry/bodies",
-         {"core", "geometry/plane", "geometry/mesh", "geometry/sampling", "generators/pile",
-          "model"}}, // the last two until bodies are typed by themselves
+        {"geometry/bodies", {"core", "geometry/plane", "geometry/mesh", "geometry/sampling"}},
         {"model", {"core", "geometry/"}},
         {"shapes", {"core", "geometry/"}},
         {"shapes/mesh", {"core", "geometry/", "shapes"}},

@@ -46,7 +46,8 @@ TEST(PileVariation, TwistTurnsTheEndsAgainstEachOther) {
     d.twist = pi / 2;
     const Vec3 low = d.point({-1, 1, 0});
     const Vec3 high = d.point({1, 1, 0});
-    EXPECT_NEAR(double(low.dot(high)), -1, 1e-6); // at right angles, and from x = -1 to 1
+    EXPECT_NEAR(double(low.dot(high)), -1,
+                1e-6); // -1 along the axis; across it they are at right angles
     EXPECT_NEAR(double(high.y), std::cos(pi / 4), 1e-6);
     EXPECT_NEAR(double(high.z), std::sin(pi / 4), 1e-6);
 }
@@ -68,7 +69,7 @@ TEST(PileVariation, NormalsArePerpendicularToDeformedSurfaces) {
         constexpr float h = 2e-3F;
         const Vec3 du = d.point(p + u * h) - d.point(p - u * h);
         const Vec3 dv = d.point(p + v * h) - d.point(p - v * h);
-        // u, v and n are right-handed or left-handed, alike before and after.
+        // The deformation keeps the handedness of u, v and n.
         const Vec3 expected = du.cross(dv).normalized() * (u.cross(v).dot(n) > 0 ? 1.0F : -1.0F);
         EXPECT_LT(double((d.normal(p, n) - expected).length()), 2e-3);
     }
@@ -92,7 +93,7 @@ TEST(PileVariation, ClosedStaysClosedAndPositive) {
             EXPECT_GT(volume(shape), 0.3 * volume(mesh)) << name;
             EXPECT_LT(volume(shape), 2.4 * volume(mesh)) << name;
             if (name == "box")
-                continue; // its large triangles cannot follow
+                continue; // its triangles are too large to follow the deformation
             for (const Mesh::Triangle& t : shape.triangles) {
                 const Vec3& a = shape.positions[t[0]];
                 const Vec3 n = (shape.positions[t[1]] - a).cross(shape.positions[t[2]] - a);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/bodies/pile_component.h"
+#include "geometry/bodies/body.h"
 
 #include "core/error.h"
 #include "geometry/mesh/largest_ball.h"
@@ -67,21 +67,21 @@ Mesh moved(const Mesh& mesh, const Vec3& origin) {
     return out;
 }
 
-// Poles of the samples less what the surface may sag into them between. What is then next to
-// nothing goes, and what is no ball inside: such poles come from where samples are too far apart.
-std::vector<Ball> inscribed(std::vector<Ball> poles, const PileComponent& component,
-                            double spacing) {
+// The poles, made smaller by as much as the surface between the samples may reach into them. Those
+// left with hardly any radius are dropped, and those that are not inside of the body: they come
+// from where samples are too far apart.
+std::vector<Ball> inscribed(std::vector<Ball> poles, const Body& body, double spacing) {
     const auto sag = [&](const Ball& ball) {
         return spacing * spacing / (8 * double(ball.radius));
     };
     std::erase_if(poles, [&](Ball& ball) {
-        ball.centre -= component.origin;
+        ball.centre -= body.origin;
         ball.radius = static_cast<float>(double(ball.radius) - sag(ball));
         // Interpolated across the medial axis, the distance is too small by up to half a cube's
         // diagonal.
-        const double inside = -double(component.distance.at(ball.centre));
-        return double(ball.radius) < 2 * probe_tolerance * component.radius ||
-               double(ball.radius) > inside + 0.87 * component.distance.step();
+        const double inside = -double(body.distance.at(ball.centre));
+        return double(ball.radius) < 2 * probe_tolerance * body.radius ||
+               double(ball.radius) > inside + 0.87 * body.distance.step();
     });
     return poles;
 }
@@ -93,26 +93,24 @@ std::vector<Ball> points_as_balls(const std::vector<Vec3>& points, double radius
     return balls;
 }
 
-void complete_sheet(PileComponent& component) {
-    const double thickness = 2 * component.skin;
-    const Mesh own = moved(*component.prototype.mesh, component.origin);
-    component.distance = SignedDistanceGrid(own, thickness / 2.5, thickness);
+void complete_sheet(Body& body) {
+    const double thickness = 2 * body.skin;
+    const Mesh own = moved(*body.mesh, body.origin);
+    body.distance = SignedDistanceGrid(own, thickness / 2.5, thickness);
     std::vector<Vec3> points =
         surface_points(own, std::max(thickness / 2, spacing_for(own, most_samples))).positions;
     const std::vector<Vec3> border = edge_points(own, thickness / 2);
     points.insert(points.end(), border.begin(), border.end());
-    component.balls = points_as_balls(points, thickness / 2);
-    component.probe = BallTree(component.balls);
-    component.samples = BallTree(points_as_balls(points));
+    body.balls = points_as_balls(points, thickness / 2);
+    body.probe = BallTree(body.balls);
+    body.samples = BallTree(points_as_balls(points));
 }
 
-ComponentDraft draft_sheet(PileComponent component, double thickness) {
-    const Mesh& mesh = *component.prototype.mesh;
-    component.radius = thickness / 2;
-    component.skin = thickness / 2;
-    component.distribution_radius = std::sqrt(area(mesh) / pi) / 4;
-    component.origin = bounds(mesh).center();
-    return {std::move(component), complete_sheet};
+BodyDraft draft_sheet(std::shared_ptr<Body> body, double thickness) {
+    body->radius = thickness / 2;
+    body->skin = thickness / 2;
+    body->origin = bounds(*body->mesh).center();
+    return {body, [body] { complete_sheet(*body); }};
 }
 
 /// Where the largest inner ball of a solid was found: samples of its surface and their poles.
@@ -139,64 +137,60 @@ InnerBalls inner_balls(const Mesh& mesh) {
     return found;
 }
 
-void complete_solid(PileComponent& component, const InnerBalls& inner) {
-    const Vec3 origin = component.origin;
-    const Mesh own = moved(*component.prototype.mesh, origin);
-    // No ball of another that touches it has its centre farther away, if it is not the larger one.
-    component.distance = SignedDistanceGrid(own, grid_step * component.radius, 0, most_grid_samples,
-                                            component.radius);
-    std::vector<Ball> poles = inscribed(inner.poles, component, inner.spacing);
+void complete_solid(Body& body, const InnerBalls& inner) {
+    const Vec3 origin = body.origin;
+    const Mesh own = moved(*body.mesh, origin);
+    // The grid reaches one radius beyond the surface: as far as the centres of balls of touching
+    // bodies of this size or smaller.
+    body.distance =
+        SignedDistanceGrid(own, grid_step * body.radius, 0, most_grid_samples, body.radius);
+    std::vector<Ball> poles = inscribed(inner.poles, body, inner.spacing);
     poles.insert(poles.begin(), Ball{Vec3(0), inner.largest.radius});
 
     std::vector<Vec3> skin;
     for (const Vec3& p : inner.points.positions)
         skin.push_back(p - origin);
     std::vector<bool> reached;
-    component.balls =
-        covering_balls(poles, skin, ball_tolerance * component.radius, most_balls, reached);
+    body.balls = covering_balls(poles, skin, ball_tolerance * body.radius, most_balls, reached);
     const std::vector<Vec3> edges =
-        edge_points(own, std::max(edge_spacing * component.radius, spacing_for(own, most_samples)));
+        edge_points(own, std::max(edge_spacing * body.radius, spacing_for(own, most_samples)));
     skin.insert(skin.end(), edges.begin(), edges.end());
     std::vector<Ball> probe =
-        covering_balls(poles, skin, probe_tolerance * component.radius, most_probe_balls, reached);
+        covering_balls(poles, skin, probe_tolerance * body.radius, most_probe_balls, reached);
     for (std::size_t i = 0; i < skin.size(); ++i)
         if (!reached[i])
             probe.push_back({skin[i], 0});
-    component.probe_fills = probe.empty() || probe.back().radius > 0;
-    component.probe = BallTree(std::move(probe));
-    for (const Ball& b : component.balls)
+    body.probe_fills = probe.empty() || probe.back().radius > 0;
+    body.probe = BallTree(std::move(probe));
+    for (const Ball& b : body.balls)
         skin.push_back(b.centre);
-    component.samples = BallTree(points_as_balls(skin));
+    body.samples = BallTree(points_as_balls(skin));
 }
 
-ComponentDraft draft_solid(PileComponent component) {
-    InnerBalls inner = inner_balls(*component.prototype.mesh);
-    component.radius = double(inner.largest.radius);
-    component.distribution_radius = component.radius / 2;
-    component.origin = inner.largest.centre;
-    return {std::move(component),
-            [inner = std::move(inner)](PileComponent& to) { complete_solid(to, inner); }};
+BodyDraft draft_solid(std::shared_ptr<Body> body) {
+    InnerBalls inner = inner_balls(*body->mesh);
+    body->radius = double(inner.largest.radius);
+    body->origin = inner.largest.centre;
+    return {body, [body, inner = std::move(inner)] { complete_solid(*body, inner); }};
 }
 
 } // namespace
 
-ComponentDraft draft_component(Prototype prototype, double thickness) {
-    check(*prototype.mesh, thickness);
-    PileComponent component;
-    component.prototype = std::move(prototype);
-    ComponentDraft draft = thickness > 0 ? draft_sheet(std::move(component), thickness)
-                                         : draft_solid(std::move(component));
-    PileComponent& begun = draft.component;
-    for (const Vec3& p : begun.prototype.mesh->positions)
-        begun.reach = std::max(begun.reach, double((p - begun.origin).length()));
-    begun.reach += thickness / 2;
+BodyDraft draft_body(std::shared_ptr<const Mesh> mesh, double thickness) {
+    check(*mesh, thickness);
+    auto body = std::make_shared<Body>();
+    body->mesh = std::move(mesh);
+    BodyDraft draft = thickness > 0 ? draft_sheet(body, thickness) : draft_solid(body);
+    for (const Vec3& p : body->mesh->positions)
+        body->reach = std::max(body->reach, double((p - body->origin).length()));
+    body->reach += thickness / 2;
     return draft;
 }
 
-PileComponent prepare_component(Prototype prototype, double thickness) {
-    ComponentDraft draft = draft_component(std::move(prototype), thickness);
-    draft.complete(draft.component);
-    return std::move(draft.component);
+std::shared_ptr<const Body> make_body(std::shared_ptr<const Mesh> mesh, double thickness) {
+    const BodyDraft draft = draft_body(std::move(mesh), thickness);
+    draft.complete();
+    return draft.body;
 }
 
 } // namespace scree
