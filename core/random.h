@@ -46,6 +46,9 @@ enum class Purpose : std::uint32_t {
     pile_strew = 64,
     pile_shape = 66,
     pile_choice = 67,
+    pile_sites = 72,
+    pile_shell = 73,
+    pile_fill = 74,
     subsurface_walk = 68,
 };
 
@@ -109,11 +112,23 @@ class Random {
         return static_cast<std::uint32_t>(product >> 32);
     }
 
+    /// Uniform in [0, 2^64).
+    std::uint64_t bits64() {
+        const std::uint64_t high = bits();
+        return high << 32 | bits();
+    }
+
   private:
     r123::Philox4x32::key_type key_;
     r123::Philox4x32::ctr_type counter_;
     r123::Philox4x32::ctr_type block_{};
     unsigned used_ = 4;
 };
+
+/// A seed of its own for each (seed, purpose, index), for what draws its random numbers from a
+/// seed. Unlike sums of a seed and a number, seeds derived so do not meet those of other uses.
+inline std::uint64_t derived_seed(std::uint64_t seed, Purpose purpose, std::uint64_t index) {
+    return Random(seed, purpose, index).bits64();
+}
 
 } // namespace scree

@@ -28,6 +28,12 @@ double shell_spacing(std::span<const PileKind> kinds) {
     return shells_apart * least;
 }
 
+PileTurns turns_of_shell(const PileTurns& turns, std::size_t shell) {
+    PileTurns own = turns;
+    own.seed = derived_seed(turns.seed, Purpose::pile_shell, shell);
+    return own;
+}
+
 std::size_t fill_solid(PlacedBodies& pile, const Mesh& target, const PileTurns& turns,
                        std::vector<BodySite> sites, const SolidFill& fill,
                        const InsertionSettings& settings, const Context& context) {
@@ -36,8 +42,7 @@ std::size_t fill_solid(PlacedBodies& pile, const Mesh& target, const PileTurns& 
     const std::vector<OffsetShell> shells = offset_shells(solid, spacing, fill.shells - 1);
     std::size_t tried = 0;
     for (std::size_t i = shells.size(); i-- > 0;) {
-        PileTurns own = turns;
-        own.seed = turns.seed + (i + 1) * 0x9e3779b97f4a7c15ULL;
+        const PileTurns own = turns_of_shell(turns, i);
         InsertionSettings below = settings;
         below.ceiling = shells[i].depth;
         const Mesh& surface = shells[i].surface;
@@ -52,7 +57,7 @@ double filled_share(const PlacedBodies& pile, const Mesh& target, std::uint64_t 
     // For each point whether it is in the target, and in a component.
     std::vector<std::array<std::uint8_t, 2>> hits(measuring_points);
     parallel_for(measuring_points, 64, [&](std::size_t i) {
-        Random random(seed, Purpose::pile_inside, i);
+        Random random(seed, Purpose::pile_fill, i);
         Vec3 p = box.min;
         for (int axis = 0; axis < 3; ++axis)
             p[axis] += box.size()[axis] * random.uniform_float();

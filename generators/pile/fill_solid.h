@@ -18,6 +18,9 @@ struct SolidFill {
 /// The distance between the shells on which components are tried [m].
 double shell_spacing(std::span<const PileKind> kinds);
 
+/// The turns on an inner shell, which have a seed of its own.
+PileTurns turns_of_shell(const PileTurns& turns, std::size_t shell);
+
 /// Fills the closed target, on whose surface the `sites` are, with components: on offset shells,
 /// each treated as a surface, from the innermost outwards, so that components come to lie on those
 /// of the shells below. The centres of all components stay inside of the target, except for those

@@ -9,8 +9,9 @@ namespace scree {
 
 namespace {
 
-/// What the component looks like, in each of its shapes.
-std::vector<Prototype> prototypes_of(const ComponentSettings& component, std::uint64_t seed) {
+/// What the component looks like, in each of its shapes; `first` is the number of its first kind.
+std::vector<Prototype> prototypes_of(const ComponentSettings& component, std::uint64_t seed,
+                                     std::size_t first) {
     Prototype prototype;
     prototype.mesh = component.shape;
     prototype.name = prototype.mesh->name;
@@ -21,7 +22,8 @@ std::vector<Prototype> prototypes_of(const ComponentSettings& component, std::ui
     std::vector<Prototype> shapes(variation.shapes, prototype);
     for (std::uint32_t i = 0; i < variation.shapes; ++i) {
         shapes[i].mesh = std::make_shared<const Mesh>(located(component.bend_place, [&] {
-            return varied_shape(*prototype.mesh, variation, seed, i);
+            return varied_shape(*prototype.mesh, variation, i,
+                                Random(seed, Purpose::pile_shape, first + i));
         }));
         shapes[i].name = fmt::format("{}_{}", prototype.name, i + 1);
     }
@@ -32,8 +34,8 @@ std::vector<Prototype> prototypes_of(const ComponentSettings& component, std::ui
 
 KindDrafts::KindDrafts(std::span<const ComponentSettings> components, std::uint64_t seed) {
     for (const ComponentSettings& component : components) {
-        std::vector<Prototype> shapes = prototypes_of(component, seed + kinds.size());
         const std::size_t first = kinds.size();
+        std::vector<Prototype> shapes = prototypes_of(component, seed, first);
         kinds.resize(first + shapes.size());
         completions.resize(kinds.size());
         parallel_for(shapes.size(), 1, [&](std::size_t i) {

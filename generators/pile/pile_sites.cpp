@@ -80,7 +80,7 @@ std::vector<BodySite> pile_sites(const Mesh& target, const PileTurns& turns,
         const SurfaceDiskSet set = sample_surface_disks(
             {.mesh = &target,
              .distances = {2 * mean_distribution_radius(turns.kinds.subspan(k, kind.shapes))},
-             .seed = turns.seed ^ k * 0x9e3779b97f4a7c15ULL},
+             .seed = derived_seed(turns.seed, Purpose::pile_sites, k)},
             context);
         std::vector<std::pair<double, std::size_t>> order(set.samples.size());
         for (std::size_t i = 0; i < order.size(); ++i)

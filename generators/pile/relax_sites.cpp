@@ -45,8 +45,11 @@ std::vector<PlacedBody> strewn(const Mesh& target, const SignedDistanceGrid& dis
     const MeanKind mean = mean_kind(turns.kinds, masses);
     std::vector<PlacedBody> placed;
     const auto strew = [&](const Mesh& surface, double apart, std::uint64_t shell) {
-        const SurfaceDiskSet set = sample_surface_disks(
-            {.mesh = &surface, .distances = {apart}, .seed = turns.seed + shell}, context);
+        const SurfaceDiskSet set =
+            sample_surface_disks({.mesh = &surface,
+                                  .distances = {apart},
+                                  .seed = derived_seed(turns.seed, Purpose::pile_strew, shell)},
+                                 context);
         for (std::size_t i = 0; i < set.samples.size(); ++i) {
             const std::uint64_t number = std::uint64_t{1} << 62 | shell << 32 | i;
             Random random(turns.seed, Purpose::pile_strew, number);

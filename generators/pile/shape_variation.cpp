@@ -2,7 +2,6 @@
 #include "generators/pile/shape_variation.h"
 
 #include "core/error.h"
-#include "core/random.h"
 
 #include <fmt/format.h>
 
@@ -104,8 +103,8 @@ Vec3 Deformation::normal(const Vec3& p, const Vec3& n) const {
     return Vec3(axes.from(m).normalized());
 }
 
-Mesh varied_shape(const Mesh& mesh, const ShapeVariation& variation, std::uint64_t seed,
-                  std::uint32_t index) {
+Mesh varied_shape(const Mesh& mesh, const ShapeVariation& variation, std::uint32_t index,
+                  Random random) {
     const Box3 box = bounds(mesh);
     int axis = 0;
     Deformation d;
@@ -115,7 +114,6 @@ Mesh varied_shape(const Mesh& mesh, const ShapeVariation& variation, std::uint64
         return mesh; // a single point
     check_folds(mesh, variation, Vec3d(d.centre), axis, d.length);
 
-    Random random(seed, Purpose::pile_shape, index);
     const auto either_way = [&](double most) { return random.uniform(-most, most); };
     const double direction = random.uniform(0, 2 * pi);
     d.along = d.aside = Vec3(0);

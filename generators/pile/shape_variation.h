@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/random.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/plane/field.h"
 
@@ -38,7 +39,7 @@ struct Deformation {
 
 /// Shape number `index` of the variation. Equal positions stay equal. Throws Error for a mesh so
 /// wide that it could fold over when it is bent.
-Mesh varied_shape(const Mesh& mesh, const ShapeVariation& variation, std::uint64_t seed,
-                  std::uint32_t index);
+Mesh varied_shape(const Mesh& mesh, const ShapeVariation& variation, std::uint32_t index,
+                  Random random);
 
 } // namespace scree

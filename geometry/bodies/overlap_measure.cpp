@@ -13,12 +13,11 @@ namespace scree {
 namespace {
 
 // Points evenly at random inside of a body; fewer if it fills next to nothing of its box.
-std::vector<Vec3> points_inside(const Body& body, std::size_t count) {
+std::vector<Vec3> points_inside(const Body& body, std::size_t count, Random random) {
     Box3 box;
     for (const Vec3& p : body.mesh->positions)
         box.extendBy(p - body.origin);
     const Vec3 size = box.size();
-    Random random(0, Purpose::pile_inside);
     std::vector<Vec3> points;
     for (std::size_t trial = 0; points.size() < count && trial < 1000 * count; ++trial) {
         Vec3 p = box.min;
@@ -66,8 +65,9 @@ Overlap overlap_of(const PlacedBodies& bodies, std::uint32_t i, const std::vecto
 OverlapMeasure measure_overlap(const PlacedBodies& bodies, std::size_t most,
                                std::size_t volume_samples) {
     std::vector<std::vector<Vec3>> inside;
-    for (const auto& body : bodies.shapes)
-        inside.push_back(points_inside(*body, volume_samples));
+    for (std::size_t k = 0; k < bodies.shapes.size(); ++k)
+        inside.push_back(
+            points_inside(*bodies.shapes[k], volume_samples, Random(0, Purpose::pile_inside, k)));
     const std::size_t count = std::min(most, bodies.all.size());
     std::vector<Overlap> overlaps(count);
     parallel_for(count, 4, [&](std::size_t n) {

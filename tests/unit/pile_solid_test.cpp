@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace scree {
 namespace {
 
@@ -74,6 +76,29 @@ TEST(PileSolid, FillsTheInsideAndNothingOutside) {
 
     params.set("shells", std::int64_t{1});
     EXPECT_EQ(pile_plugin().make(params, {}).instances.size(), skin.instances.size());
+}
+
+// At seed 0 the sites of one component on the surface used to be those of another on a shell.
+TEST(PileSolid, NoComponentHasSitesOfAnother) {
+    const PileKind kind = tests::kind_of(component_mesh("rice", {}), 3, 2);
+    const std::vector<PileKind> kinds{kind, kind, kind};
+    const Mesh target = ball(0.012);
+    std::set<std::array<double, 3>> seen;
+    std::size_t count = 0;
+    const auto add = [&](const PileTurns& turns) {
+        for (const BodySite& site : pile_sites(target, turns, {})) {
+            seen.insert({site.position.x, site.position.y, site.position.z});
+            ++count;
+        }
+    };
+    for (const std::uint64_t seed : {0, 1}) {
+        const PileTurns turns{.kinds = kinds, .seed = seed};
+        add(turns);
+        for (std::size_t shell = 0; shell < 3; ++shell)
+            add(turns_of_shell(turns, shell));
+    }
+    EXPECT_GT(count, 1000U);
+    EXPECT_EQ(seen.size(), count);
 }
 
 TEST(PileSolid, FilledShareOfOneBallInAnother) {
