@@ -3,7 +3,7 @@
 
 #include "core/parallel.h"
 #include "generators/pile/relax_sites.h"
-#include "geometry/bodies/push_apart.h"
+#include "geometry/bodies/push.h"
 
 #include <algorithm>
 #include <atomic>

@@ -11,6 +11,25 @@ struct Pose {
     Imath::M33f world_from_body;      // a rotation; its rows are the images of the body's axes
 };
 
+/// A rotation by a vector: about its direction, right-handed, by its length [rad].
+class Rotation {
+  public:
+    explicit Rotation(const Imath::V3d& vector);
+
+    Imath::V3d operator()(const Imath::V3d& v) const;
+    /// The rows of a rotation matrix turned, and made orthonormal again, so that rounding does not
+    /// add up.
+    Imath::M33f operator()(const Imath::M33f& rows) const;
+
+  private:
+    Imath::V3d axis_{0.0, 0.0, 0.0};
+    double cosine_ = 1;
+    double sine_ = 0;
+};
+
+/// The angle of the rotation that leads from one orientation to another [rad].
+double angle_between(const Imath::M33f& a, const Imath::M33f& b);
+
 /// The rigid motion that takes one body's frame to another's.
 struct RelativePose {
     Imath::M33f rotation;

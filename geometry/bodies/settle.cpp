@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/bodies/settle.h"
 
+#include "geometry/bodies/push.h"
+
 #include <algorithm>
 
 namespace scree {
@@ -38,69 +40,6 @@ GroundPlane ground_below(const NearestSurface& ground, const Vec3d& p, const Vec
     return {point.position, normal};
 }
 
-/// The inverse of the inertia of a body of mass 1 about its origin.
-Imath::M33d inverse_inertia(const Body& body) {
-    Imath::M33d spread(0.0);
-    double mass = 0;
-    for (const Ball& ball : body.balls) {
-        const double r = double(ball.radius);
-        const double m = r * r * r;
-        const Vec3d c(ball.centre);
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-                spread[i][j] += m * (c[i] * c[j] + (i == j ? r * r / 5 : 0));
-        mass += m;
-    }
-    const double trace = spread[0][0] + spread[1][1] + spread[2][2];
-    Imath::M33d inertia;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            inertia[i][j] = ((i == j ? trace : 0) - spread[i][j]) / mass;
-    return inertia.inverse();
-}
-
-Imath::M33f turned(const Imath::M33f& turn, const Vec3d& by) {
-    const double angle = by.length();
-    if (angle == 0)
-        return turn;
-    const Vec3d axis = by / angle;
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    Imath::M33f out;
-    for (int row = 0; row < 3; ++row) { // Rodrigues
-        const Vec3d v(turn[row][0], turn[row][1], turn[row][2]);
-        const Vec3d w = v * c + axis.cross(v) * s + axis * (axis.dot(v) * (1 - c));
-        for (int k = 0; k < 3; ++k)
-            out[row][k] = static_cast<float>(w[k]);
-    }
-    return out;
-}
-
-Imath::M33f orthonormal(const Imath::M33f& m) {
-    Vec3d x(m[0][0], m[0][1], m[0][2]);
-    Vec3d y(m[1][0], m[1][1], m[1][2]);
-    x.normalize();
-    y = (y - x * x.dot(y)).normalized();
-    const Vec3d z = x.cross(y);
-    const Vec3 a(x), b(y), c(z);
-    return {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z};
-}
-
-double angle_between(const Imath::M33f& a, const Imath::M33f& b) {
-    double trace = 0;
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k)
-            trace += double(a[i][k]) * double(b[i][k]);
-    return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0));
-}
-
-/// Where two bodies are deepest in each other.
-struct DeepContact {
-    double depth = 0; // [m]
-    Vec3d at;         // in the world [m]
-    Vec3d normal;     // out of the one that stays
-};
-
 /// Another body that may be in the way.
 struct Obstacle {
     const Body* body;
@@ -112,9 +51,9 @@ struct Obstacle {
 class Settling {
   public:
     Settling(const PlacedBodies& bodies, const PlacedBody& start, const SettleSettings& settings,
-             const NearestSurface& ground, const Imath::M33d& inverse_inertia)
+             const NearestSurface& ground, const MassProperties& mass)
         : body_(bodies.body(start)), settings_(settings), surface_(ground), start_(start),
-          pose_(start.pose), inverse_inertia_(inverse_inertia), slide_(body_.reach) {
+          pose_(start.pose), mass_(mass), slide_(body_.reach) {
         bodies.hash.near(pose_.centre, body_.reach + slide_, [&](std::uint32_t index) {
             const PlacedBody& other = bodies.all[index];
             const Body& other_body = bodies.body(other);
@@ -136,8 +75,7 @@ class Settling {
         for (int n = 0; n < settings_.steps && step >= least_step * radius; ++n) {
             if (height - lowest < 0.01 * radius)
                 break;
-            const Vec3d down = ground_.normal * -std::min(step, height - lowest);
-            move(down, Vec3d(0));
+            move(ground_.normal * -std::min(step, height - lowest));
             const bool free = push_out(lowest);
             const double now = ground_.height(pose_.centre);
             if (free && now < height - least_step * radius / 2 && within_bounds()) {
@@ -163,10 +101,9 @@ class Settling {
         ground_ = ground_below(surface_, pose_.centre, start_.normal, body_.radius);
     }
 
-    void move(const Vec3d& by, const Vec3d& turn) {
+    void move(const Vec3d& by) {
         pose_.centre += by;
-        pose_.world_from_body = turned(pose_.world_from_body, turn);
-        moved_ += by.length() + turn.length() * body_.reach;
+        moved_ += by.length();
     }
 
     void move_back(const Pose& rest) {
@@ -181,13 +118,11 @@ class Settling {
             bool pushed = false;
             for (Obstacle& obstacle : obstacles_)
                 pushed = push_out_of(obstacle) || pushed;
-            if (!pushed) {
-                pose_.world_from_body = orthonormal(pose_.world_from_body);
+            if (!pushed)
                 return true;
-            }
             const double below = lowest - ground_.height(pose_.centre);
             if (below > 0)
-                move(ground_.normal * below, Vec3d(0));
+                move(ground_.normal * below);
         }
         return false;
     }
@@ -202,7 +137,7 @@ class Settling {
             obstacle.free_until = moved_ + (obstacle.allowed - double(depth));
             return false;
         }
-        push(deepest_contact(obstacle),
+        push(contact_with(obstacle),
              settings_.overlap * std::min(body_.radius, obstacle.body->radius) -
                  clearance * body_.radius);
         return true;
@@ -210,31 +145,28 @@ class Settling {
 
     void push(const DeepContact& contact, double depth_left) {
         const double depth = contact.depth - depth_left;
-        const Vec3d lever = contact.at - pose_.centre;
-        const Vec3d moment = lever.cross(contact.normal);
-        const Vec3d turn = applied_inverse_inertia(moment);
-        const double weight = 1 + moment.dot(turn);
-        const Vec3d by = turn * (depth / weight);
-        if (settings_.turn > 0 && angle_between(turned(pose_.world_from_body, by),
-                                                start_.pose.world_from_body) <= settings_.turn)
-            move(contact.normal * (depth / weight), by);
-        else
-            move(contact.normal * depth, Vec3d(0));
+        const PushResponse response(mass_, pose_, contact.point, contact.normal);
+        const double by = depth / response.compliance();
+        const Pose pushed = response.pushed(by);
+        if (settings_.turn == 0 ||
+            angle_between(pushed.world_from_body, start_.pose.world_from_body) > settings_.turn) {
+            move(contact.normal * depth);
+            return;
+        }
+        const double arm = body_.reach + double(mass_.centre.length());
+        moved_ += std::abs(by) * (response.shift() + response.turn() * arm);
+        pose_ = pushed;
     }
 
-    Vec3d applied_inverse_inertia(const Vec3d& world) const {
-        const Imath::M33d m(pose_.world_from_body);
-        return world * m.transposed() * inverse_inertia_ * m;
-    }
-
-    DeepContact deepest_contact(const Obstacle& obstacle) const {
+    /// The deepest contact with the obstacle; its normal points out of the obstacle.
+    DeepContact contact_with(const Obstacle& obstacle) const {
         const Body& other = *obstacle.body;
         DeepContact deepest;
         const bool own_is_fine = body_.radius <= other.radius;
         if (own_is_fine || !other.probe_fills)
-            deepest = probe_contact(body_, pose_, other, obstacle.pose);
+            deepest = deepest_contact(body_, pose_, other, obstacle.pose);
         if (!own_is_fine || !body_.probe_fills) {
-            DeepContact back = probe_contact(other, obstacle.pose, body_, pose_);
+            DeepContact back = deepest_contact(other, obstacle.pose, body_, pose_);
             back.normal = -back.normal;
             if (back.depth > deepest.depth)
                 deepest = back;
@@ -242,28 +174,12 @@ class Settling {
         return deepest;
     }
 
-    // Of the probe of the first in the second; the normal points out of the second.
-    static DeepContact probe_contact(const Body& a, const Pose& pose_a, const Body& b,
-                                     const Pose& pose_b) {
-        const RelativePose there = relative(pose_a, pose_b);
-        const BallTree::Deepest deepest =
-            a.probe.deepest_where([&](const Vec3& p) { return b.distance.at(there(p)); });
-        const Vec3 in_b = there(deepest.ball.centre);
-        Vec3 gradient;
-        b.distance.at(in_b, gradient);
-        const Vec3 normal = gradient.length() > 0 ? gradient.normalized() : Vec3(0, 1, 0);
-        return {double(deepest.depth),
-                pose_b.centre +
-                    Vec3d((in_b - normal * deepest.ball.radius) * pose_b.world_from_body),
-                Vec3d(normal * pose_b.world_from_body)};
-    }
-
     const Body& body_;
     const SettleSettings& settings_;
     const NearestSurface& surface_;
     const PlacedBody start_;
     Pose pose_;
-    Imath::M33d inverse_inertia_;
+    const MassProperties& mass_;
     double slide_;     // how far from its start it may get [m]
     double moved_ = 0; // an upper bound of the length of the path of any of its points [m]
     GroundPlane ground_;
@@ -276,11 +192,11 @@ class Settling {
 Settler::Settler(const Bodies& bodies, const Mesh& ground, const SettleSettings& settings)
     : settings_(settings), ground_(ground) {
     for (const auto& body : bodies)
-        inverse_inertias_.push_back(inverse_inertia(*body));
+        masses_.push_back(mass_properties(*body));
 }
 
 PlacedBody Settler::settle(const PlacedBodies& bodies, const PlacedBody& start) const {
-    return Settling(bodies, start, settings_, ground_, inverse_inertias_[start.body]).run();
+    return Settling(bodies, start, settings_, ground_, masses_[start.body]).run();
 }
 
 } // namespace scree

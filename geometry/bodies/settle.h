@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/bodies/advance.h"
+#include "geometry/bodies/mass_properties.h"
 #include "geometry/mesh/nearest_surface.h"
 
 namespace scree {
@@ -30,7 +31,7 @@ class Settler {
   private:
     SettleSettings settings_;
     NearestSurface ground_;
-    std::vector<Imath::M33d> inverse_inertias_; // of each shape, of mass 1, about its origin
+    std::vector<MassProperties> masses_; // of each shape
 };
 
 } // namespace scree

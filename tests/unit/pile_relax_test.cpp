@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/bodies/push_apart.h"
+#include "geometry/bodies/push.h"
 #include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
