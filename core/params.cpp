@@ -107,8 +107,16 @@ Location Params::where(const std::string& name) const {
     return entry == entries_.end() || entry->second.where.line == 0 ? where_ : entry->second.where;
 }
 
+ParamPlace Params::place(const std::string& name) const {
+    return {where(name), path_ + "." + name};
+}
+
 Error Params::error(const std::string& name, std::string message, std::string hint) const {
-    return Error(Diagnostic{where(name), path_ + "." + name, std::move(message), std::move(hint)});
+    return place(name).error(std::move(message), std::move(hint));
+}
+
+Error ParamPlace::error(std::string message, std::string hint) const {
+    return Error(Diagnostic{where, path, std::move(message), std::move(hint)});
 }
 
 } // namespace scree

@@ -70,6 +70,15 @@ bool is_object_list(const ParamSpec& spec);
 /// "mesh.* or region.*"; `object` is a family of one.
 std::string kinds_in_words(const std::vector<std::string>& families, std::string_view between);
 
+/// Where a parameter was written and what it is called: what an error says that is found after the
+/// parameters were read.
+struct ParamPlace {
+    Location where;
+    std::string path; // "generator.layout.components[2].margin"
+
+    Error error(std::string message, std::string hint = {}) const;
+};
+
 /// Values by name, resolved and checked against their specs, with the place each was written.
 /// Reading a name that no spec declares, or with another type than declared, is our own mistake
 /// and asserts.
@@ -106,6 +115,7 @@ class Params {
     const std::string& path() const { return path_; }
     const Location& where() const { return where_; }
     Location where(const std::string& name) const;
+    ParamPlace place(const std::string& name) const;
 
     /// An error that names this parameter's file, line and path.
     Error error(const std::string& name, std::string message, std::string hint = {}) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "core/file.h"
+#include "core/located.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/registry.h"
@@ -180,6 +181,25 @@ TEST(RegionFacts, AreaInsideAndDistanceOfASquareWithAHole) {
     EXPECT_DOUBLE_EQ(signed_distance(region, {0.25, 2}), -0.25);
     EXPECT_DOUBLE_EQ(signed_distance(region, {2, 2}), 1);
     EXPECT_DOUBLE_EQ(signed_distance(region, {7, 8}), 5);
+}
+
+TEST(LocatedErrors, PlaceInputFaultsAndLeaveOthersAsTheyAre) {
+    Params params("generator.layout", {"scene.lua", 7});
+    params.set("epsilon", 0.1, {"scene.lua", 9});
+    const auto fails = [] { throw Error("is too small"); };
+    EXPECT_EQ(message_of([&] { located(params, "epsilon", fails); }),
+              "scene.lua:9: generator.layout.epsilon: is too small");
+    EXPECT_EQ(message_of([&] { located(params, "scale", fails); }),
+              "scene.lua:7: generator.layout.scale: is too small");
+    EXPECT_EQ(message_of([&] { located(params, fails); }),
+              "scene.lua:7: generator.layout: is too small");
+    try {
+        located(params.place("epsilon"), [] { throw Error::resource("out of memory"); });
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.fault(), Fault::resource);
+        EXPECT_STREQ(error.what(), "out of memory");
+    }
 }
 
 TEST(RegistryTable, RefusesADuplicate) {
