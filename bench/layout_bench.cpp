@@ -95,7 +95,7 @@ double fill_of(const LayoutProblem& problem, const Placements& placements) {
 void print_queries(const Shape& s) {
     const CollisionShape shape(triangulate({s.rings[0]}));
     struct Pair {
-        Pose a, b;
+        FigurePose a, b;
         Vec2 offset;
     };
     std::vector<Pair> pairs;
@@ -103,7 +103,8 @@ void print_queries(const Shape& s) {
     while (pairs.size() < 4096) {
         const Vec2 offset(random.uniform(-2, 2) * shape.radius(),
                           random.uniform(-2, 2) * shape.radius());
-        const Pose a(offset, random.uniform(0, 2 * pi), 1), b({0, 0}, random.uniform(0, 2 * pi), 1);
+        const FigurePose a(offset, random.uniform(0, 2 * pi), 1),
+            b({0, 0}, random.uniform(0, 2 * pi), 1);
         if (offset.length() < 2 * shape.radius())
             pairs.push_back({a, b, offset});
     }

@@ -56,7 +56,7 @@ constexpr std::size_t most = LATTICE_MOST_LEVELS;
 constexpr std::size_t beyond = 16; // what vectors write and read behind the last number
 
 /// The rows of all levels' cells, their nodes, and the nodes' variates.
-struct Cells {
+struct LevelCells {
     std::uint32_t y[all_rows * most + beyond], z[all_rows * most + beyond];
     std::uint32_t row[all_rows * most + beyond], other[all_rows * most + beyond];
     std::uint32_t x[3][most]; // of the nodes along a row
@@ -65,7 +65,8 @@ struct Cells {
     std::size_t count = 0;
 };
 
-HWY_INLINE void add_cell(Cells& cells, const Lattice& lattice, int level, int cx, int cy, int cz) {
+HWY_INLINE void add_cell(LevelCells& cells, const Lattice& lattice, int level, int cx, int cy,
+                         int cz) {
     const std::uint32_t mask = solid::node_mask(&lattice, level);
     const auto at = [mask](int cell, std::uint32_t node) {
         return (2 * static_cast<std::uint32_t>(cell) + node) & mask;
@@ -93,7 +94,7 @@ HWY_INLINE void copy(const std::uint32_t* from, std::size_t count, std::uint32_t
 }
 
 /// See row_bits, node_bits and normal_variate.
-HWY_INLINE void draw(Cells& cells, const Lattice& lattice) {
+HWY_INLINE void draw(LevelCells& cells, const Lattice& lattice) {
     const Reals d;
     const Words du;
     const auto key = hn::Set(du, lattice.key_b);
@@ -162,7 +163,7 @@ void add_levels(const Lattice* lattice, int first, int last, float share, Triple
         ++last;
     else
         share = 1;
-    Cells cells;
+    LevelCells cells;
     float fractions[LATTICE_MOST_LEVELS][3];
     for (int level = first; level <= last; ++level) {
         const auto width = static_cast<float>(1 << (level - 1));

@@ -34,15 +34,15 @@ HWY_INLINE hn::Vec<Words> cell_of(V place, V cells, hn::Vec<Words> mask, V& frac
 // Points whose cells stay in the first cache until they are fetched.
 constexpr std::size_t block = 256;
 
-struct Cells {
+struct QuadCells {
     HWY_ALIGN std::uint32_t quad[block];
     HWY_ALIGN std::uint32_t weights[block];
     HWY_ALIGN float fx[block];
     HWY_ALIGN float fz[block];
 };
 
-HWY_INLINE void find_cells(Cells& cells, int level, const float* x, const float* y, const float* z,
-                           std::size_t count) {
+HWY_INLINE void find_cells(QuadCells& cells, int level, const float* x, const float* y,
+                           const float* z, std::size_t count) {
     const Reals d;
     const Words du;
     const V side = hn::Set(d, static_cast<float>(1 << level));
@@ -63,8 +63,8 @@ HWY_INLINE void find_cells(Cells& cells, int level, const float* x, const float*
     }
 }
 
-HWY_INLINE void interpolate(const Cells& cells, const std::int16_t* quads, float step, float* out,
-                            std::size_t count) {
+HWY_INLINE void interpolate(const QuadCells& cells, const std::int16_t* quads, float step,
+                            float* out, std::size_t count) {
     const Reals d;
     const hn::RebindToSigned<Reals> di;
     const hn::Repartition<std::int16_t, Reals> ds;
@@ -92,7 +92,7 @@ HWY_INLINE void interpolate(const Cells& cells, const std::int16_t* quads, float
 /// `count` is a multiple of the lanes.
 void fluctuations_of_quads(const LatticeQuads& quads, const float* x, const float* y,
                            const float* z, float* out, std::size_t count) {
-    Cells cells;
+    QuadCells cells;
     for (std::size_t first = 0; first < count; first += block) {
         const std::size_t part = std::min(block, count - first);
         find_cells(cells, quads.level(), x + first, y + first, z + first, part);

@@ -10,15 +10,15 @@ inline double angle_between(double a, double b) { return std::remainder(a - b, 2
 
 /// Where an element lies: x = R S x0 + t, with x0 relative to the centre of its region's bounding
 /// box (Sakurai & Miyata 2014, eq. 1).
-struct Pose {
+struct FigurePose {
     Vec2 position;     // t [m]
     double angle = 0;  // [rad]
     double scale = 1;  // > 0
     double cosine = 1; // of the angle
     double sine = 0;
 
-    Pose() = default;
-    Pose(const Vec2& p, double a, double s)
+    FigurePose() = default;
+    FigurePose(const Vec2& p, double a, double s)
         : position(p), angle(a), scale(s), cosine(std::cos(a)), sine(std::sin(a)) {}
 
     Vec2 apply(const Vec2& v) const {
