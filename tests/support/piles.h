@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "generators/pile/pile_generator.h"
 #include "geometry/bodies/pile_kind.h"
+#include "tests/support/aggregates.h"
 #include "tests/support/layout_params.h"
 #include "tests/support/plugin_params.h"
 
@@ -91,13 +92,6 @@ inline Params pile_params(const Mesh& target, std::vector<Params> components) {
                {"scene.lua", 10});
     params.set("cover", 0.0);
     return params;
-}
-
-inline double fact(const Aggregate& aggregate, const std::string& name) {
-    for (const auto& [key, value] : aggregate.facts)
-        if (key == name)
-            return value;
-    throw std::logic_error("there is no fact " + name);
 }
 
 /// Expects instances of the same bytes from all that `bake()` makes on 1, 2 and 7 threads.

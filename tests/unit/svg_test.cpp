@@ -6,6 +6,7 @@
 #include "geometry/plane/svg/svg_document.h"
 #include "geometry/plane/svg/svg_text.h"
 #include "shapes/table.h"
+#include "tests/support/errors.h"
 #include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
@@ -41,15 +42,6 @@ Region drawn(const std::string& body, const std::string& attributes = "",
     for (const SvgShape& shape : read_svg_text(svg(body, attributes), element))
         shapes.push_back({flat(shape.path), shape.rule});
     return fill(std::move(shapes));
-}
-
-std::string error_of(const auto& work) {
-    try {
-        work();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 int winding_number(const std::vector<Ring>& rings, const Vec2& p) {
@@ -130,7 +122,7 @@ TEST(SvgPath, ArcsLieOnTheirEllipse) {
 
 TEST(SvgPath, MistakesAreNamed) {
     const auto message = [](std::string_view data) {
-        return error_of([&] { parse_path_data(data); });
+        return tests::error_of([&] { parse_path_data(data); });
     };
     EXPECT_EQ(message(""), "the path is empty");
     EXPECT_EQ(message("L1 1"),
@@ -243,7 +235,7 @@ TEST(SvgDocument, OneElementById) {
     EXPECT_NEAR(area(drawn(body, "", "b")), 4, 1e-6);
     EXPECT_NEAR(area(drawn(body, "", "a")), 12, 1e-6);
     EXPECT_NEAR(area(drawn(body, "", "d")), pi, 1e-3);
-    EXPECT_NE(error_of([&] { drawn(body, "", "e"); }).find("no element has the id"),
+    EXPECT_NE(tests::error_of([&] { drawn(body, "", "e"); }).find("no element has the id"),
               std::string::npos);
 }
 
@@ -369,7 +361,7 @@ TEST_F(SvgRegion, PathInTheScript) {
     EXPECT_NEAR(area(make({{"d", std::string("M0 0h4v4h-4zM1 1h2v2h-2z")},
                            {"fill_rule", std::string("evenodd")}})),
                 12, 1e-6);
-    EXPECT_EQ(error_of([&] {
+    EXPECT_EQ(tests::error_of([&] {
                   make({{"d", std::string("M0 0L1 1L2 2Z")}});
               }),
               "scene.lua:7: region.path.d: the outline encloses no area");
