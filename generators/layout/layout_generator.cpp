@@ -67,8 +67,8 @@ std::vector<Instance> instances_of(const LayoutProblem& problem, const Layout& l
             world_from_element(problem.shapes[c].centre(), layout.position[i], layout.angle[i],
                                layout.scale[i], components[c].height);
         instances[i].random = Random(problem.seed, Purpose::instance_attribute, i).uniform_float();
-        instances[i].angle = static_cast<float>(layout.angle[i]);
-        instances[i].scale = static_cast<float>(layout.scale[i]);
+        instances[i].angle = layout.angle[i];
+        instances[i].scale = layout.scale[i];
     }
     return instances;
 }
