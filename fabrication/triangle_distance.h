@@ -9,7 +9,9 @@
 
 namespace scree {
 
-/// Distances to one triangle, in 32 bits from its first corner, so that it may lie anywhere.
+/// Distances to one triangle in single precision, relative to its first corner, so that it may lie
+/// anywhere. Unlike DistanceTriangle it takes four points at a time and stays accurate for needles,
+/// but takes longer to prepare and does not give the nearest point.
 class TriangleDistance {
   public:
     explicit TriangleDistance(const std::array<Imath::V3d, 3>& corners)

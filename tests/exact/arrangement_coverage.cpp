@@ -155,7 +155,7 @@ class Arrangement {
             const Vec2 away = Vec2(-offset.y, offset.x) * std::sqrt(std::max(0.0, across2));
             for (const int side : {-1, 1}) {
                 const Vec2 near = foot + away * side;
-                // Rounding can move it by more than the domain's own tolerance only where the
+                // Rounding can move it by more than the domain's tolerance only where the
                 // circles nearly touch.
                 const bool nearly_touch = across2 < doubt;
                 if (!nearly_touch && (!in_domain(near) || surely_covered(near)))

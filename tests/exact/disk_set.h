@@ -9,7 +9,7 @@
 namespace scree::tests {
 
 /// Samples under the rule of conflict as Kita & Miyata 2012 state it (eq. 2 and 3), written down
-/// again: nothing of the sampler's own tests is used but `class_distances`.
+/// again: of the sampler only `class_distances` is used.
 class DiskSet {
   public:
     DiskSet(const PoissonDiskProblem& problem, std::vector<DiskSample> samples);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // No two regions overlap and none leaves the domain, by CGAL's exact predicates on the regions as
-// an instance's matrix places them: nothing of the generator's own tests is used.
+// an instance's matrix places them: none of the generator's tests is used.
 #include "core/random.h"
 #include "geometry/plane/region_shapes.h"
 #include "geometry/plane/region_tools.h"
@@ -40,7 +40,7 @@ Mesh torus(float radius, float tube) {
             const auto u = static_cast<float>(2 * pi * i / around);
             const auto v = static_cast<float>(2 * pi * j / across);
             const float r = radius + tube * std::cos(v);
-            // Off its own origin, so that a forgotten centre shows.
+            // Away from its frame's origin, so that a forgotten centre is noticed.
             mesh.positions.emplace_back(r * std::cos(u) + 0.3F, tube * std::sin(v) + tube,
                                         r * std::sin(u) - 0.2F);
             const std::uint32_t a = i * across + j, b = i * across + (j + 1) % across;

@@ -14,7 +14,7 @@ namespace scree::tests {
 namespace {
 
 constexpr double size = 0.03;      // [m], about 500 samples in the pierced domain
-constexpr double slack = 1 + 1e-9; // what the sampler leaves unresolved is smaller
+constexpr double slack = 1 + 1e-9; // places that the sampler leaves unresolved are smaller
 constexpr std::size_t darts = 100000;
 
 /// A field that repeats itself on the unit torus and is smooth.
@@ -64,7 +64,7 @@ bool is_round(const PoissonDiskProblem& problem) {
            });
 }
 
-/// All that is asked of a set.
+/// Everything that must hold for a set.
 void expect_maximal(const PoissonDiskProblem& problem, const std::vector<DiskSample>& samples,
                     std::size_t throws = darts) {
     const DiskSet set(problem, samples);

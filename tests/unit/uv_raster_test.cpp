@@ -19,7 +19,7 @@ namespace {
 using Vec3d = Imath::V3d;
 using Polygon = std::vector<Vec2>;
 
-// What of a polygon lies where value(p) >= 0 (Sutherland & Hodgman 1974).
+// The part of a polygon where value(p) >= 0 (Sutherland & Hodgman 1974).
 template <class Value>
 Polygon clipped(const Polygon& polygon, const Value& value) {
     Polygon out;
@@ -132,8 +132,7 @@ TEST(UvRaster, WrapsRoundBeyondTheUnitSquare) {
     compare_to_brute_force(mesh, 19, 33);
     const UvRaster raster(mesh, 19, 33);
     EXPECT_TRUE(raster.wraps());
-    for (const std::uint32_t texel :
-         raster.covered_texels()) { // the mesh's own UVs, whole tiles off
+    for (const std::uint32_t texel : raster.covered_texels()) { // the mesh's UVs, up to whole tiles
         const Vec2f uv = raster.place(texel).uv;
         const double x = uv.x * 19 - 0.5 - texel % 19, y = (1 - uv.y) * 33 - 0.5 - texel / 19;
         EXPECT_NEAR(x / 19, std::round(x / 19), 1e-5);
@@ -188,8 +187,8 @@ TEST(UvRaster, SliversGoNoFartherThanTheyAreLong) {
         EXPECT_LT(raster.place(texel).position.length(), 3);
 }
 
-// The filter's axes hold what finite differences of the places say: the covariance of the texel's
-// image, J J^T.
+// The filter's axes agree with finite differences of the places: they give the covariance J J^T of
+// the texel's image.
 TEST(UvRaster, FiltersAreTheJacobian) {
     const Sheared map;
     const Mesh mesh = map.mesh(0, 1);

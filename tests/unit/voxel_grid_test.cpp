@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which voxels are inside a mesh, against the solid angle that the mesh has round them.
+// Which voxels are inside a mesh, against the solid angle of the mesh seen from them.
 #include "core/error.h"
 #include "geometry/mesh/voxel_grid.h"
 #include "shapes/table.h"
