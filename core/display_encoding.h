@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between linear light and what displays and 8-bit files hold: IEC 61966-2-1 (sRGB).
+// Conversion between linear light and the display encoding of IEC 61966-2-1 (sRGB).
 #pragma once
 
 #include "core/image.h"
@@ -16,8 +16,8 @@ inline float display_from_linear(float v) {
     return v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
 }
 
-/// Linear R, G, B, A multiplied by alpha as an 8-bit file holds it: clamped to [0, 1],
-/// display-encoded, not multiplied; without A where alpha is 1 everywhere.
+/// Converts linear premultiplied R, G, B, A to what an 8-bit file holds: clamped to [0, 1],
+/// display-encoded, not premultiplied; without A when alpha is 1 everywhere.
 Image display_image(const Image& linear);
 
 } // namespace scree

@@ -8,7 +8,7 @@ namespace scree {
 
 namespace {
 
-// A default in the unit of scripts.
+// Converts a default from the unit of scripts to the program's unit.
 struct InProgramUnits {
     const ParamSpec& spec;
     double unit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What scenes are made of beside shapes, generators and procedurals, and its declarations.
+// The tables of materials, lights, cameras and objects, and the declarations of film and scene.
 #pragma once
 
 #include "core/registry.h"
@@ -22,14 +22,15 @@ Registry<MakeLight> light_table();       // light.sky, sun, area
 Registry<MakeCamera> camera_table();     // camera.perspective
 Registry<MakeItem> object_table();       // object
 
-/// The generators of a table as items of a scene. What they throw is located at the constructor.
+/// The generators of a table as items of a scene. Input errors that they throw are located at the
+/// constructor.
 Registry<MakeItem> generator_items(const Registry<Bake>& table);
 
-/// The scene's film = { ... } record.
+/// The parameters of the record film = { ... }.
 std::vector<ParamSpec> film_params();
 FilmSettings film_settings(const Params& film);
 
-/// What `scene { ... }` holds, and the draft that it stands for but for its name and settings.
+/// The parameters of `scene { ... }`, and the draft made from them, without name and settings.
 std::vector<ParamSpec> scene_params();
 SceneDraft scene_draft(const Params& scene);
 
