@@ -30,7 +30,7 @@ Json rings_json(const Region& region) {
     return rings;
 }
 
-// Three rows of four for column vectors, as most programs read them: Imath's matrix transposed.
+// Three rows of four for column vectors, the usual convention: the transpose of Imath's matrix.
 Json matrix_json(const Matrix& m) {
     Json numbers = Json::array();
     for (int row = 0; row < 3; ++row)
@@ -57,7 +57,7 @@ Json instance_json(const Instance& instance) {
 }
 
 Json aggregate_json(const Aggregate& aggregate) {
-    // Times differ from run to run and the file must not: they are in `--stats`.
+    // Times are left out, since equal scenes must give equal files; `--stats` shows them.
     Json facts = Json::object();
     for (const auto& [name, value] : aggregate.facts)
         if (!is_time(name))

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double mm_per_metre = 1000;
 
-// What may stand in text and attributes (XML 1.0, section 2.4); control characters may not at all.
+// Escapes text for XML content and attributes (XML 1.0, section 2.4) and removes control
+// characters, which XML does not allow.
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
@@ -52,7 +53,8 @@ std::string svg_matrix(const Matrix& m, const Vec2& shift) {
                        (double(m[3][2]) + shift.y) * mm_per_metre);
 }
 
-// The picture with its box in millimetres: a drawing as it is, pixels as an embedded PNG.
+// An SVG element of the picture, whose box is in millimetres: a drawing is embedded as it is,
+// pixels as a PNG.
 std::string picture_element(const Picture& picture, const Box2& box, const std::string& prefix,
                             const std::string& scope) {
     const Box2 place(box.min * mm_per_metre, box.max * mm_per_metre);
@@ -68,7 +70,7 @@ void write_prototype(std::string& out, const Prototype& prototype, const std::st
     auto to = std::back_inserter(out);
     const std::string name = escaped(prototype.name);
     if (prototype.picture)
-        // Its origin lies within it, so it is no viewport of its own.
+        // Its origin may lie inside it, so it has no viewBox and must not be clipped.
         fmt::format_to(to,
                        "<symbol id=\"{0}\" overflow=\"visible\" style=\"overflow:visible\">"
                        "<title>{1}</title>\n{2}\n</symbol>\n",

@@ -11,7 +11,7 @@ namespace {
 constexpr int around = 40;
 constexpr int along = 72;
 
-// Radius by share of length, from the cut stem to the tip; the widest place is 1.
+// (share of the length, radius) from the cut stem to the tip; the largest radius is 1.
 const std::vector<Vec2>& radius_knots() {
     static const std::vector<Vec2> knots{
         {0.00, 0.27}, {0.03, 0.25}, {0.07, 0.235}, {0.11, 0.25},  {0.15, 0.31},  {0.20, 0.46},
@@ -20,7 +20,7 @@ const std::vector<Vec2>& radius_knots() {
     return knots;
 }
 
-// A five-sided section with soft ridges, strongest in the middle of the fruit.
+// A cross-section with five soft ridges, which are strongest in the middle of the fruit.
 Ring section(double radius, double ridge) {
     Ring ring;
     for (int i = 0; i < around; ++i) {
@@ -37,7 +37,7 @@ Mesh banana(const Params& params) {
     const double widest = params.number("thickness") / 2;
     const double bend = params.number("bend");
 
-    // Bent most where the stem passes into the fruit.
+    // The curvature is largest where the stem meets the fruit.
     std::vector<double> curvature;
     double sum = 0;
     for (int i = 0; i < 200; ++i) {
@@ -54,7 +54,7 @@ Mesh banana(const Params& params) {
     const auto add = [&](double t, double radius, double ridge) {
         rings.push_back(axis.place(section(radius * widest, ridge), t));
     };
-    // The cut face of the stem, a little hollow; then its rounded rim.
+    // The slightly hollow cut face of the stem, then its rounded rim.
     const double stem = radius_knots().front().y;
     const double rim = 0.06 * stem * widest;
     rings.push_back(axis.place(Ring(around, Vec2(0.0)), 0.25 * stem * widest));
@@ -73,7 +73,7 @@ Mesh banana(const Params& params) {
     rings.push_back(axis.place(Ring(around, Vec2(0.0)), 1 + 0.08 * tip * widest));
 
     Mesh mesh = loft(rings);
-    // The chord from stem to tip along x.
+    // Rotated so that the chord from stem to tip lies along x.
     const Vec3 chord = rings.back().front() - rings.front().front();
     transform(mesh, Matrix().setEulerAngles(Vec3(0, std::atan2(chord.z, chord.x), 0)));
     normalise_size(mesh, params.number("length"));

@@ -26,7 +26,7 @@ SpaceRing raise(const Ring& ring, double y) {
     return out;
 }
 
-// The rounded wall of one ring, from the edge of the lower cap to that of the upper one.
+// The rounded wall of one ring, from the edge of the lower cap to that of the upper cap.
 Mesh wall(const Ring& ring, double height, double bevel, int bevel_segments) {
     std::vector<SpaceRing> levels;
     for (int k = 0; k <= bevel_segments && bevel > 0; ++k) {
@@ -61,7 +61,8 @@ void add_cap(Mesh& mesh, const Region& plan, const Box2& frame, double y, bool u
     append(mesh, cap);
 }
 
-// Long thin cap triangles weigh little at some vertices; their plane is known exactly.
+// Sets the normals of the caps exactly: averaged normals are inaccurate where long thin cap
+// triangles have a small angle.
 void flatten_cap_normals(Mesh& mesh, float top) {
     const auto limit = static_cast<float>(std::cos(crease));
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -72,7 +73,8 @@ void flatten_cap_normals(Mesh& mesh, float top) {
     }
 }
 
-// Where the body is narrower than two bevels its cap would cross itself: the bevel yields.
+// The plan of a cap. Reduces `bevel` where the body is narrower than two bevels, since the cap's
+// outline would otherwise cross itself.
 Region cap_plan(const std::vector<Ring>& rings, double height, double& bevel) {
     while (true) {
         std::vector<Ring> caps;
