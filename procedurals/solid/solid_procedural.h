@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A solid texture that is a function of its .cl text: evaluated on the host at shading time, and
-// there or on an OpenCL device for baking.
+// A solid texture implemented in a .cl file: evaluated on the host at shading time, and on the host
+// or on an OpenCL device for baking.
 #pragma once
 
 #include "model/procedural.h"
@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// What a device needs beside the settings: the texture's own .cl text and its function there.
+/// The OpenCL source of a texture and the names of its settings type and its function.
 struct SolidKernel {
     const char* source;
     const char* settings_type;
@@ -27,13 +27,14 @@ inline ShadingSample shading_sample(const solid::SolidSample& sample) {
             sample.roughness < 0 ? ShadingSample::unset : sample.roughness, sample.value};
 }
 
-/// Evaluates a texture on a device. Throws Error (resource) when that fails.
+/// Evaluates a texture on a device. Throws Error (resource) when the device fails.
 void run_solid_kernel(Device& device, const SolidKernel& kernel,
                       std::span<const std::byte> settings, const FractalLattice& lattice,
                       std::span<const ShadingPoint> points, std::span<ShadingSample> samples);
 
-/// `Function(field, settings, point)` is the text's function. `InLanes(field, settings, points,
-/// samples)`, where there is one, answers several points at once to the same bits, or false.
+/// `Function(field, settings, point)` is the function of the .cl file. `InLanes(field, settings,
+/// points, samples)`, if any, evaluates several points at once with identical bits, or returns
+/// false when it cannot.
 template <class Settings, auto Function, auto InLanes = nullptr>
 class SolidProcedural : public Procedural {
   public:

@@ -25,7 +25,7 @@ std::shared_ptr<const Procedural> make_bark(const Params& params) {
     const double scale = preset_scale(params) * number_or(params, "plate", natural) / natural;
     const double deep = scale * params.number("depth");
     Bark bark{};
-    bark.push = make_push(params, number_or(params, "turbulence", preset.turbulence), 0);
+    bark.warp = make_warp(params, number_or(params, "turbulence", preset.turbulence), 0);
     bark.axis = as_triple(frame.axis);
     bark.start = frame.axis.dot(frame.origin);
     bark.color[0] = as_triple(color_or(params, "dark", preset.color[0]));

@@ -13,7 +13,7 @@ namespace {
 
 using solid::Granite;
 
-/// The preset's minerals, or the user's, at the sizes that this texture's scale makes of them.
+/// The minerals of the preset or those given by the user, scaled to this texture.
 GrainRecipe recipe_of(const Params& params, const GranitePreset& preset) {
     GrainRecipe recipe = preset.grains;
     double largest = 0;
@@ -41,7 +41,7 @@ std::shared_ptr<const Procedural> make_granite(const Params& params) {
     const auto lattice = make_lattice(params);
     const GrainRecipe recipe = recipe_of(params, preset);
     Granite granite{};
-    granite.push = make_push(params, number_or(params, "turbulence", preset.turbulence), 0);
+    granite.warp = make_warp(params, number_or(params, "turbulence", preset.turbulence), 0);
     granite.hewn = make_hewn(params, params.number("relief"), 4 * recipe.minerals.front().size);
     granite.filtered = params.flag("filtered") ? 1 : 0;
     granite.grains = make_grains(params, "minerals", recipe, lattice->header());

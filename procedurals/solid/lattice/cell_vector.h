@@ -4,7 +4,7 @@
 
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
-// What both ends of the cell's four edges along x hold.
+// The nodes at both ends of the cell's four edges along x.
 struct CellEnds {
     Float4 low, high;
 };
@@ -43,12 +43,12 @@ inline Fluctuation cell_field(const short* nodes16, const float* nodes32, int fi
     const CellEnds ends = cell_ends(nodes16, nodes32, first, stride, side, step);
     const Float4 across = ends.high - ends.low;
     const Float4 along = ends.low + across * in.x;
-    // The edges at the cell's near y and those at its far y: values, then slopes along x.
+    // The edges at the cell's near y and at its far y: values, then slopes along x.
     const Float4 near_y = __builtin_shufflevector(along, across, 0, 2, 4, 6);
     const Float4 far_y = __builtin_shufflevector(along, across, 1, 3, 5, 7);
     const Float4 rise = far_y - near_y;
-    const Float4 faces = near_y + rise * in.y; // value near and far, slope along x near and far
-    // Float4: value, slopes along x and y, from the near face to the far one.
+    const Float4 faces = near_y + rise * in.y; // values, then slopes along x, of near and far z
+    // Value, slope along x, slope along y at the near and the far z.
     const Float4 near_z = __builtin_shufflevector(faces, rise, 0, 2, 4, 4);
     const Float4 far_z = __builtin_shufflevector(faces, rise, 1, 3, 5, 5);
     const Float4 climb = far_z - near_z;

@@ -24,7 +24,7 @@ std::shared_ptr<const Procedural> make_leather(const Params& params) {
     const double depth = preset.creases.front().depth * scale;
     const double deep = scale * number_or(params, "depth", depth) / depth;
     Leather leather{};
-    leather.push = make_push(params, number_or(params, "turbulence", preset.turbulence), 0);
+    leather.warp = make_warp(params, number_or(params, "turbulence", preset.turbulence), 0);
     for (std::size_t i = 0; i < preset.creases.size(); ++i) {
         leather.creases[i] =
             make_creases(params, static_cast<unsigned>(i), preset.creases[i], scale);
@@ -43,7 +43,7 @@ std::shared_ptr<const Procedural> make_leather(const Params& params) {
     leather.stain = as_float(number_or(params, "stain", preset.stain));
     const double roughness = number_or(params, "roughness", preset.roughness);
     leather.roughness = as_float(roughness);
-    leather.crease_roughness = as_float(std::min(1.0, roughness + 0.25)); // which nothing rubs
+    leather.crease_roughness = as_float(std::min(1.0, roughness + 0.25)); // not polished by wear
     leather.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = shapes_program({leather_source});
     return std::make_shared<SolidProcedural<Leather, leather_sample>>(
@@ -64,7 +64,7 @@ std::vector<ParamSpec> leather_specs() {
         preset_number("pores", "Share of places for a pore, or a knob, that have one.", "", 0, 1),
         {.name = "contrast",
          .type = ParamType::number,
-         .doc = "Factor of the share that creases and pores have of their colours.",
+         .doc = "Factor of the share of the crease and pore colours in creases and pores.",
          .fallback = 1.0,
          .min = 0.0,
          .max = 1.2},
@@ -73,7 +73,7 @@ std::vector<ParamSpec> leather_specs() {
         preset_number("roughness", "Of the hills' tops; creases are duller.", "", 0, 1),
         {.name = "relief",
          .type = ParamType::number,
-         .doc = "Height of bumps beside the grain, per unit of the fractal field.",
+         .doc = "Height of additional bumps per unit of the fractal field.",
          .unit = "m",
          .fallback = 0.0,
          .min = 0.0,

@@ -41,7 +41,7 @@ void set_shells(Stone& stone, const Params& params, const StonePreset& preset,
         shells.minerals = minerals_of(params.list("shells"), 5e-3 * preset_scale(params));
         if (shells.outlines.empty())
             shells.outlines = {{0.12, 0.42}};
-        while (shells.outlines.size() < GRAINS_MOST_LAYERS)
+        while (shells.outlines.size() < GRAINS_MAX_LAYERS)
             shells.outlines.push_back(shells.outlines.back());
     }
     shells.clusters = 0;
@@ -59,8 +59,8 @@ std::shared_ptr<const Procedural> make_stone(const Params& params) {
     const double scale = preset_scale(params);
     const auto lattice = make_lattice(params);
     Stone stone{};
-    stone.push =
-        make_push(params, number_or(params, "turbulence", preset.turbulence), 0, preset.flatness);
+    stone.warp =
+        make_warp(params, number_or(params, "turbulence", preset.turbulence), 0, preset.flatness);
     stone.color = as_triple(color_or(params, "color", preset.color));
     stone.roughness = as_float(number_or(params, "roughness", preset.roughness));
     set_beds(stone, params, preset);

@@ -14,12 +14,12 @@ ParamSpec preset_spec() {
         names.push_back(preset.name);
     return {.name = "preset",
             .type = ParamType::choice,
-            .doc = "A timber to start from; what else is given changes it.",
+            .doc = "Timber with default parameters, which the other parameters override.",
             .fallback = std::string("oak"),
             .choices = names};
 }
 
-/// A number that is there whatever the preset.
+/// A number parameter whose default does not depend on the preset.
 ParamSpec plain_number(std::string name, std::string doc, std::string unit, double fallback,
                        double min, double max) {
     return {.name = std::move(name),
@@ -49,7 +49,7 @@ std::vector<ParamSpec> wood_specs() {
         preset_number("stretch", "Of the fractal field along the trunk.", "", 0.01, 1000),
         {.name = "profile",
          .type = ParamType::choice,
-         .doc = "Of a year: spring and autumn, or the paper's sine.",
+         .doc = "Profile of a ring: early and late wood, or the paper's sine.",
          .optional = true,
          .choices = {"year", "sine"}},
         preset_number("early_share", "Share of a year that is early wood alone.", "", 0, 0.95),
@@ -74,7 +74,7 @@ std::vector<ParamSpec> wood_specs() {
                      0.01, 0.9),
         {.name = "knot",
          .type = ParamType::color,
-         .doc = "Colour of knots; unless given, darker and redder than the wood.",
+         .doc = "Colour of knots; darker and redder than the wood when not given.",
          .optional = true},
         preset_number("sapwood", "Radius from which the wood is sapwood; none unless given.", "m",
                       0, 1e3),
@@ -83,7 +83,7 @@ std::vector<ParamSpec> wood_specs() {
         plain_number("pore_depth", "Depth of vessels that are cut open.", "m", 0, -1, 1),
         {.name = "iterations",
          .type = ParamType::integer,
-         .doc = "Steps to what the displacement brought here; 0: to first order.",
+         .doc = "Iterations of the inversion of the displacement; 0: first order.",
          .fallback = std::int64_t{0},
          .min = 0.0,
          .max = 16.0},
