@@ -15,7 +15,7 @@ namespace {
     throw Error(Diagnostic{{file, line}, std::move(path), std::move(message), {}});
 }
 
-// Turns Json into nodes.
+// Converts Json values to nodes.
 class Reader {
   public:
     explicit Reader(const std::string& file) : json_file_(file) {}
@@ -94,7 +94,7 @@ class Reader {
         return found->second;
     }
 
-    // Fills `made`; the answer is its $id.
+    // Fills `made` and returns its $id, if any.
     std::optional<std::int64_t> read_object(const Json::Object& object, Description& made) {
         std::optional<std::int64_t> id;
         const Json* value = nullptr;

@@ -13,13 +13,13 @@ namespace scree {
 
 namespace {
 
-constexpr std::size_t max_depth = 100; // real scenes stay below 10; keeps recursion small
+constexpr std::size_t max_depth = 100; // limits recursion; usual scenes have less than 10
 
 [[noreturn]] void fail(const std::string& file, int line, std::string message) {
     throw Error(Diagnostic{{file, line}, {}, std::move(message), {}});
 }
 
-// Feeds the parser and counts the lines that it has read.
+// An iterator that counts the lines that the parser has read.
 struct LineCounter {
     int line = 1;
     bool after_newline = false;
@@ -88,7 +88,8 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
     bool parse_error(std::size_t, const std::string&,
                      const nlohmann::json::exception& error) override {
-        // "[json.exception...] parse error at line 1, column 2: syntax error while ...: what"
+        // The message is "[json.exception...] parse error at line 1, column 2: syntax error while
+        // ...: reason".
         std::string message = error.what();
         const std::size_t what = message.find(" - ");
         const std::size_t other = message.find(": ", message.find("column"));
@@ -137,7 +138,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
     std::string file_;
     const LineCounter& counter_;
-    // A container does not grow while one of its members is open, so the pointers stay good.
+    // A container does not grow while one of its members is open, so the pointers stay valid.
     std::vector<Json*> open_;
     std::vector<std::string> keys_;
     std::vector<std::set<std::string>> names_;
@@ -147,7 +148,8 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
 Json parse_json(std::string_view text, const std::string& file) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        fail(file, 1, "this is not JSON: the file is empty"); // versions of the library differ here
+        fail(file, 1, "this is not JSON: the file is empty"); // the library's message differs
+                                                              // between versions
     LineCounter counter;
     Builder builder(file, counter);
     const CountingIterator begin(text.data(), &counter);

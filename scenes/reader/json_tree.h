@@ -19,8 +19,8 @@ struct Json {
     std::variant<std::monostate, bool, std::int64_t, double, std::string, Array, Object> data;
 };
 
-/// Parses the text. Throws Error with `file` and line for what is not JSON, for a name that stands
-/// twice in one object, and for values nested too deep.
+/// Parses the text. Throws Error with `file` and line for invalid JSON, duplicate names in one
+/// object, and values nested too deeply.
 Json parse_json(std::string_view text, const std::string& file);
 
 } // namespace scree
