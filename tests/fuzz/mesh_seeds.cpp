@@ -107,7 +107,7 @@ std::string base64(const std::string& bytes) {
     constexpr const char* digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
-    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) { // whole triples only
+    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) { // complete groups of three bytes only
         std::uint32_t triple = 0;
         for (std::size_t k = 0; k < 3; ++k)
             triple = triple << 8 | static_cast<unsigned char>(bytes[i + k]);

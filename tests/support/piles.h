@@ -5,10 +5,9 @@
 #include "core/parallel.h"
 #include "generators/pile/pile_generator.h"
 #include "geometry/bodies/pile_kind.h"
+#include "tests/support/component_checks.h"
 #include "tests/support/layout_params.h"
-#include "tests/support/plugin_params.h"
 
-#include "shapes/table.h"
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -16,17 +15,13 @@
 
 namespace scree::tests {
 
-inline Mesh component_mesh(const std::string& name, const std::map<std::string, Value>& values) {
-    return make(component_table(), name, values);
-}
-
 inline PileComponent prepared(Mesh mesh, double thickness = 0) {
     Prototype prototype;
     prototype.mesh = std::make_shared<const Mesh>(std::move(mesh));
     return prepare_component(std::move(prototype), thickness);
 }
 
-/// Turned anyhow.
+/// A kind with unrestricted random rotation.
 inline PileKind kind_of(const Mesh& mesh, double spacing, double refine) {
     return {.component = prepared(mesh),
             .weight = 1,
@@ -35,8 +30,8 @@ inline PileKind kind_of(const Mesh& mesh, double spacing, double refine) {
             .rotation = Vec3(2 * pi_f)};
 }
 
-/// Distance from p to a triangle, by Lagrange: the least of the plane's foot, where it is inside,
-/// and of the sides.
+/// Distance from p to a triangle: the minimum over its sides and, if the projection of p lies
+/// inside, the distance to its plane.
 inline double triangle_distance(const Imath::V3d& p, const std::array<Imath::V3d, 3>& v) {
     double least = std::numeric_limits<double>::max();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -55,8 +50,8 @@ inline double triangle_distance(const Imath::V3d& p, const std::array<Imath::V3d
     return std::min(least, std::abs((p - v[0]).dot(normal)) / normal.length());
 }
 
-/// Signed distance to a closed mesh, negative inside: all triangles, and the solid angle that they
-/// fill seen from p (van Oosterom & Strackee 1983).
+/// Signed distance to a closed mesh, negative inside, by brute force over all triangles; the sign
+/// is that of their solid angle at p (van Oosterom & Strackee 1983).
 inline double signed_distance(const Mesh& mesh, const Imath::V3d& p) {
     double least = std::numeric_limits<double>::max();
     double angle = 0;
@@ -83,7 +78,7 @@ inline Params pile_component(const Mesh& mesh) {
     return {};
 }
 
-/// One pass.
+/// Parameters of a pile with a single pass.
 inline Params pile_params(const Mesh& target, std::vector<Params> components) {
     Params params = defaults(pile_plugin().params, "generator.pile");
     params.set("target", std::make_shared<const Mesh>(target), {"scene.lua", 9});
@@ -100,7 +95,7 @@ inline double fact(const Aggregate& aggregate, const std::string& name) {
     throw std::logic_error("there is no fact " + name);
 }
 
-/// Expects instances of the same bytes from all that `bake()` makes on 1, 2 and 7 threads.
+/// Expects that `bake()` gives bit-identical instances on 1, 2 and 7 threads.
 template <class Bake>
 void expect_same_on_any_threads(const Bake& bake) {
     std::vector<Aggregate> piles;

@@ -57,9 +57,9 @@ TEST(ErrorText, ListsAllDiagnostics) {
     EXPECT_STREQ(error.what(), "a.lua:1: one\na.lua:2: two");
 }
 
-TEST(NearestName, FindsSlipsAndRefusesStrangers) {
+TEST(NearestName, FindsTyposAndRejectsUnrelatedNames) {
     const std::vector<std::string> names{"radius", "rotation", "scale", "seed"};
-    EXPECT_EQ(nearest_name("raduis", names), "radius"); // a swap
+    EXPECT_EQ(nearest_name("raduis", names), "radius"); // a transposition
     EXPECT_EQ(nearest_name("rotatoin", names), "rotation");
     EXPECT_EQ(nearest_name("sed", names), "seed");
     EXPECT_EQ(nearest_name("thickness", names), "");
@@ -100,7 +100,7 @@ TEST(RandomNumbers, BelowIsUniform) {
     for (const int count : counts)
         chi2 += (count - 1000.0) * (count - 1000.0) / 1000.0;
     EXPECT_LT(chi2, 148.2);
-    EXPECT_GT(chi2, 61.1); // 0.1th percentile: too even is wrong too
+    EXPECT_GT(chi2, 61.1); // 0.1th percentile: too regular is wrong too
 }
 
 TEST(RandomNumbers, UniformStaysInHalfOpenInterval) {
@@ -158,7 +158,7 @@ TEST(MeshNormals, CreaseSplitsACubeAndSmoothingDoesNot) {
     EXPECT_NEAR(smooth.normals[7].dot(Vec3(1, 1, 1).normalized()), 1, 1e-6);
 }
 
-TEST(MeshTransform, MirrorKeepsTheOutsideOut) {
+TEST(MeshTransform, MirroringKeepsOutwardNormals) {
     Mesh mesh = cube();
     Matrix mirror;
     mirror.setScale(Vec3(-2, 1, 1));

@@ -37,7 +37,7 @@ class MeshFile : public testing::Test {
         return path;
     }
 
-    // What is said of the file, without the folder's name.
+    // The error message for the file, without the folder's name.
     std::string problem(const std::string& name, std::string_view bytes) {
         return without_folder([&] { read_mesh(write(name, bytes)); });
     }
@@ -67,7 +67,7 @@ void put(std::string& out, T value, bool big = false) {
     out.append(raw.data(), raw.size());
 }
 
-// The corner of a unit cube: the origin and the three axes' ends.
+// A tetrahedron: the origin and the ends of the three unit axes.
 constexpr float points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 constexpr int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
@@ -217,7 +217,7 @@ TEST_F(MeshFile, GltfNodesTransform) {
     const Mesh moved = read_mesh(write(
         "a.glb",
         glb(R"({"mesh":0,"translation":[5,0,0],"rotation":[0,0,0.70710678,0.70710678],"scale":[2,2,2]})")));
-    // Scaled, then turned by 90 degrees about z (x to y), then moved.
+    // Scaled, then rotated by 90 degrees about z (x to y), then translated.
     EXPECT_TRUE(bounds(moved).min.equalWithAbsError(Vec3(3, 0, 0), 1e-5F)) << bounds(moved).min;
     EXPECT_TRUE(bounds(moved).max.equalWithAbsError(Vec3(5, 2, 2), 1e-5F)) << bounds(moved).max;
     EXPECT_NEAR(volume(moved), 8.0 / 6, 1e-5);
@@ -227,12 +227,12 @@ TEST_F(MeshFile, KeepsNormalsAndUvs) {
     const Mesh mesh = read_mesh(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\n"
                                                "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1/1 2/2/1 3/3/1\n"));
     ASSERT_EQ(mesh.normals.size(), 3U);
-    EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1)); // made unit
+    EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1)); // normalised
     ASSERT_EQ(mesh.uvs.size(), 3U);
     EXPECT_EQ(mesh.uvs[1], Vec2f(1, 0));
 }
 
-TEST_F(MeshFile, DropsNormalsThatAreNoNumbers) {
+TEST_F(MeshFile, DropsNonFiniteNormals) {
     const Mesh mesh = read_mesh(write(
         "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                  "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
@@ -343,7 +343,7 @@ TEST_F(MeshFile, ManyCornersAreOneFaceAndNoHang) {
         ASSERT_NEAR(n.length(), 1.0F, 1e-4F);
 }
 
-// The parameters of mesh.file as the reader hands them over.
+// Calls mesh.file with parameters as made by the scene reader.
 Mesh make(const std::string& path, const std::vector<std::pair<std::string, Value>>& values = {}) {
     const auto table = mesh_file_table();
     Params params("mesh.file", {"toys.lua", 3});
@@ -363,7 +363,7 @@ TEST_F(MeshFile, Plugin) {
     const Mesh sized = make(path, {{"size", 0.5}});
     EXPECT_NEAR(bounds(sized).size().x, 0.5F, 1e-6F);
     EXPECT_EQ(bounds(sized).min.y, 0);
-    // z up: the file's z becomes y, and its y goes away from the viewer.
+    // z up: the file's z becomes y, and its y becomes -z.
     const Mesh turned = make(path, {{"up", std::string("z")}});
     EXPECT_EQ(bounds(turned).min, Vec3(0, 0, -1));
     EXPECT_NEAR(volume(turned), 1.0 / 6, 1e-7);

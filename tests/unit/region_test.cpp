@@ -46,8 +46,8 @@ double triangle_area(const Region& region) {
     return sum;
 }
 
-TEST(Triangulate, TurnsRingsAndCutsHoles) {
-    // An island in a hole in a square, every ring in the wrong direction.
+TEST(Triangulate, OrientsRingsAndCutsHoles) {
+    // An island in a hole in a square, with every ring in the wrong orientation.
     const Region region = triangulate(
         {reversed(rectangle_ring(4, 4)), rectangle_ring(2, 2), reversed(rectangle_ring(1, 1))});
     EXPECT_NEAR(signed_area(region.rings[0]), 16, 1e-12);
@@ -84,7 +84,7 @@ TEST(Triangulate, NamesWhatIsWrong) {
               }),
               "edge 0 of ring 0, from (0, 0) to (2, 0) crosses or touches edge 2 of ring 0, from "
               "(1, 0) to (0, 0)");
-    // Touching in a single point, exactly on an edge.
+    // Touching at a single point, exactly on an edge.
     EXPECT_EQ(message_of([] {
                   triangulate({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 0}, {3, 1}, {1, 1}}});
               }),
@@ -92,7 +92,7 @@ TEST(Triangulate, NamesWhatIsWrong) {
               "(1, 1) to (2, 0)");
 }
 
-/// Distance to the region's points (0 inside).
+/// Distance to the region; 0 inside.
 double outside_distance(const Region& region, const Vec2& p) {
     return std::max(0.0, signed_distance(region, p));
 }
@@ -140,7 +140,7 @@ TEST(Offset, ShrinksByTheMarginWithinItsBound) {
 TEST(Offset, GrowingClosesAHoleAndShrinkingParts) {
     const Region ring = triangulate({circle_ring(1, 40), circle_ring(0.1, 20)});
     EXPECT_EQ(offset(ring, 0.12).rings.size(), 1U);
-    // Several at once, large and small; the same as parts that vanish.
+    // Several holes at once, large and small; and the same rings as parts that vanish.
     std::vector<Ring> rings{rectangle_ring(4, 4)}, parts;
     for (int i = 0; i < 7; ++i) {
         Ring square = rectangle_ring(i % 3 == 0 ? 0.5 : 0.1, 0.5);
@@ -169,7 +169,7 @@ TEST(Offset, GrowingClosesAHoleAndShrinkingParts) {
               "a margin of -0.6 m leaves nothing of the region");
 }
 
-/// A dense mesh whose projection is known: a wavy ring sheet with a hole.
+/// A dense mesh with a known projection: a wavy annulus.
 Mesh wavy_ring(int around, int across) {
     Mesh mesh;
     mesh.name = "wavy ring";
