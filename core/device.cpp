@@ -32,22 +32,27 @@ struct Found {
     std::string driver;   // version of the driver
 };
 
-std::string device_text(cl_device_id id, cl_device_info what) {
+/// A text that OpenCL answers, such as a name: `ask(size, buffer, size_of_it)`.
+template <class Ask>
+std::string answered_text(const Ask& ask) {
     std::size_t size = 0;
-    check(clGetDeviceInfo(id, what, 0, nullptr, &size), "asking a device");
+    check(ask(0, nullptr, &size), "asking for a name");
     std::string text(size, '\0');
-    check(clGetDeviceInfo(id, what, size, text.data(), nullptr), "asking a device");
+    check(ask(size, text.data(), nullptr), "asking for a name");
     text.resize(std::min(text.size(), text.find('\0')));
     return text;
 }
 
+std::string device_text(cl_device_id id, cl_device_info what) {
+    return answered_text([&](std::size_t size, char* text, std::size_t* used) {
+        return clGetDeviceInfo(id, what, size, text, used);
+    });
+}
+
 std::string platform_text(cl_platform_id id, cl_platform_info what) {
-    std::size_t size = 0;
-    check(clGetPlatformInfo(id, what, 0, nullptr, &size), "asking a platform");
-    std::string text(size, '\0');
-    check(clGetPlatformInfo(id, what, size, text.data(), nullptr), "asking a platform");
-    text.resize(std::min(text.size(), text.find('\0')));
-    return text;
+    return answered_text([&](std::size_t size, char* text, std::size_t* used) {
+        return clGetPlatformInfo(id, what, size, text, used);
+    });
 }
 
 std::vector<Found> find_devices() {

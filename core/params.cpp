@@ -43,6 +43,28 @@ Value default_value(const ParamSpec& spec) {
     return std::visit(InProgramUnits{spec, spec.unit == "deg" ? radians(1) : 1}, spec.fallback);
 }
 
+ParamSpec number_spec(std::string name, std::string doc, std::string unit, double fallback,
+                      double min, double max) {
+    return {.name = std::move(name),
+            .type = ParamType::number,
+            .doc = std::move(doc),
+            .unit = std::move(unit),
+            .fallback = fallback,
+            .min = min,
+            .max = max};
+}
+
+ParamSpec optional_number_spec(std::string name, std::string doc, std::string unit, double min,
+                               double max) {
+    return {.name = std::move(name),
+            .type = ParamType::number,
+            .doc = std::move(doc),
+            .unit = std::move(unit),
+            .optional = true,
+            .min = min,
+            .max = max};
+}
+
 bool is_object_list(const ParamSpec& spec) {
     return spec.type == ParamType::list && spec.fields.size() == 1 &&
            spec.fields.front().type == ParamType::object;

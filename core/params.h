@@ -61,6 +61,14 @@ struct ParamSpec {
     std::optional<std::size_t> min_items{}; // of a list
 };
 
+/// The declaration of a number with a default.
+ParamSpec number_spec(std::string name, std::string doc, std::string unit, double fallback,
+                      double min, double max);
+
+/// The declaration of a number that may be absent.
+ParamSpec optional_number_spec(std::string name, std::string doc, std::string unit, double min,
+                               double max);
+
 /// A declaration's default as the value of its type, in the program's units; monostate without one.
 Value default_value(const ParamSpec& spec);
 

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/layout/gap_field.h"
 
-#include "core/kernel_as_cpp.h"
+#include "generators/layout/gap_field_as_cpp.h"
 #include "generators/layout/gap_field_source.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace scree {
-
-namespace kernel_as_cpp {
-#include "generators/layout/gap_field.cl"
-} // namespace kernel_as_cpp
 
 namespace {
 
@@ -122,15 +118,15 @@ void GapField::update_on_device() {
 }
 
 void GapField::update_on_host() {
-    namespace host = kernel_as_cpp;
     std::vector<int> column_distance(state_.size()), stack_column(state_.size()),
         stack_start(state_.size());
-    host::for_each_work_item(size_t(width_), [&] {
-        host::scree_column_distance(state_.data(), width_, height_, column_distance.data());
+    kernel_as_cpp::for_each_work_item(size_t(width_), [&] {
+        gap_field::scree_column_distance(state_.data(), width_, height_, column_distance.data());
     });
-    host::for_each_work_item(size_t(height_), [&] {
-        host::scree_row_distance(state_.data(), column_distance.data(), width_, stack_column.data(),
-                                 stack_start.data(), squared_.data(), row_maximum_.data());
+    kernel_as_cpp::for_each_work_item(size_t(height_), [&] {
+        gap_field::scree_row_distance(state_.data(), column_distance.data(), width_,
+                                      stack_column.data(), stack_start.data(), squared_.data(),
+                                      row_maximum_.data());
     });
 }
 
@@ -154,8 +150,8 @@ std::vector<Vec2> GapField::candidates(std::uint32_t exponent, std::uint64_t see
         device_->read(buffers_->marks, marks_.data(), pixels);
     } else {
         kernel_as_cpp::for_each_work_item(pixels, [&] {
-            kernel_as_cpp::scree_candidates(state_.data(), squared_.data(), maximum, exponent, seed,
-                                            first, marks_.data());
+            gap_field::scree_candidates(state_.data(), squared_.data(), maximum, exponent, seed,
+                                        first, marks_.data());
         });
     }
     for (size_t i = 0; i < pixels; ++i) {

@@ -5,7 +5,7 @@
 
 #include "model/procedural.h"
 #include "procedurals/solid/lattice/fractal_lattice.h"
-#include "procedurals/solid/solid_text.h"
+#include "procedurals/solid/solid_as_cpp.h"
 
 namespace scree {
 
@@ -32,7 +32,30 @@ void run_solid_kernel(Device& device, const SolidKernel& kernel,
                       std::span<const std::byte> settings, const FractalLattice& lattice,
                       std::span<const ShadingPoint> points, std::span<ShadingSample> samples);
 
-/// `Function(field, settings, point)` is the text's function. `InLanes(field, settings, points,
+/// A function of a kernel with all that it calls in line. Nothing is fused or reordered, so that
+/// what is compiled for processors with AVX2 gives the same bits.
+template <class Settings, auto Function>
+struct SolidFunction {
+    using Type = solid::SolidSample (*)(solid::Field, const Settings*, const solid::SolidPoint&);
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+    [[gnu::target("avx2"), gnu::flatten]] static solid::SolidSample
+    with_avx2(solid::Field field, const Settings* settings, const solid::SolidPoint& point) {
+        return Function(field, settings, point);
+    }
+    static Type best() { return __builtin_cpu_supports("avx2") ? with_avx2 : everywhere; }
+#else
+    static Type best() { return everywhere; }
+#endif
+
+  private:
+    static solid::SolidSample everywhere(solid::Field field, const Settings* settings,
+                                         const solid::SolidPoint& point) {
+        return Function(field, settings, point);
+    }
+};
+
+/// `Function(field, settings, point)` is the kernel's function. `InLanes(field, settings, points,
 /// samples)`, where there is one, answers several points at once to the same bits, or false.
 template <class Settings, auto Function, auto InLanes = nullptr>
 class SolidProcedural : public Procedural {
@@ -51,7 +74,7 @@ class SolidProcedural : public Procedural {
             if (points.size() > 1 && InLanes(field, settings_, points, samples))
                 return;
         for (std::size_t i = 0; i < points.size(); ++i)
-            samples[i] = shading_sample(Function(field, &settings_, solid_point(points[i])));
+            samples[i] = shading_sample(function_(field, &settings_, solid_point(points[i])));
     }
 
     void bake(std::span<const ShadingPoint> points, std::span<ShadingSample> samples,
@@ -67,6 +90,8 @@ class SolidProcedural : public Procedural {
     std::shared_ptr<const FractalLattice> lattice_;
     Settings settings_;
     SolidKernel kernel_;
+    typename SolidFunction<Settings, Function>::Type function_ =
+        SolidFunction<Settings, Function>::best();
 };
 
 } // namespace scree

@@ -150,13 +150,7 @@ double cell_length(const Params& params) { return params.number("size") / paper_
 
 ParamSpec preset_number(std::string name, std::string doc, std::string unit, double min,
                         double max) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = std::move(unit),
-            .optional = true,
-            .min = min,
-            .max = max};
+    return optional_number_spec(std::move(name), std::move(doc), std::move(unit), min, max);
 }
 
 ParamSpec preset_color(std::string name, std::string doc) {

@@ -5,7 +5,7 @@
 #include "core/params.h"
 #include "procedurals/reflectance.h"
 #include "procedurals/solid/lattice/fractal_lattice.h"
-#include "procedurals/solid/solid_text.h"
+#include "procedurals/solid/solid_as_cpp.h"
 
 namespace scree {
 

@@ -2,6 +2,7 @@
 // What scene scripts call, beside Lua's own functions.
 #include "scenes/reader/sandbox.h"
 
+#include "core/display_encoding.h"
 #include "core/file.h"
 #include "geometry/plane/field.h"
 
@@ -289,9 +290,7 @@ int srgb(lua_State* state) {
     lua_createtable(state, 3, 0);
     for (int i = 0; i < 3; ++i) {
         const double encoded = double(value >> (16 - 8 * i) & 0xFFU) / 255.0;
-        // IEC 61966-2-1
-        lua_pushnumber(state, encoded <= 0.04045 ? encoded / 12.92
-                                                 : std::pow((encoded + 0.055) / 1.055, 2.4));
+        lua_pushnumber(state, linear_from_display(encoded));
         lua_rawseti(state, -2, i + 1);
     }
     return 1;

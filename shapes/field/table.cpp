@@ -36,12 +36,7 @@ ParamSpec centre(std::string doc) {
 }
 
 ParamSpec value(std::string name, std::string doc, double fallback) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .fallback = fallback,
-            .min = -1e9,
-            .max = 1e9};
+    return number_spec(std::move(name), std::move(doc), "", fallback, -1e9, 1e9);
 }
 
 ParamSpec flag(std::string name, std::string doc) {

@@ -80,24 +80,7 @@ Region image_region(const Params& params) {
 }
 
 ParamSpec length(std::string name, std::string doc) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = "m",
-            .optional = true,
-            .min = 1e-6,
-            .max = 1e6};
-}
-
-ParamSpec number(std::string name, std::string doc, std::string unit, double fallback, double min,
-                 double max) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = std::move(unit),
-            .fallback = fallback,
-            .min = min,
-            .max = max};
+    return optional_number_spec(std::move(name), std::move(doc), "m", 1e-6, 1e6);
 }
 
 } // namespace
@@ -118,10 +101,11 @@ Plugin<MakeRegion> image_region_plugin() {
           .doc = "What to take of a pixel, as stored; luminance for an image without alpha.",
           .fallback = std::string("a"),
           .choices = {"a", "luminance", "r", "g", "b"}},
-         number("threshold", "What a pixel inside has at least; between two, interpolated.", "",
-                0.5, -1e9, 1e9),
-         number("tolerance", "How far the outline may be simplified.", "pixels", 0.5, 0, 100),
-         number("min_area", "Parts and holes of less are left out.", "square pixels", 4, 0, 1e9),
+         number_spec("threshold", "What a pixel inside has at least; between two, interpolated.",
+                     "", 0.5, -1e9, 1e9),
+         number_spec("tolerance", "How far the outline may be simplified.", "pixels", 0.5, 0, 100),
+         number_spec("min_area", "Parts and holes of less are left out.", "square pixels", 4, 0,
+                     1e9),
          {.name = "invert",
           .type = ParamType::boolean,
           .doc = "Takes what lies below the threshold.",

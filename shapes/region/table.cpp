@@ -14,13 +14,7 @@ namespace scree {
 namespace {
 
 ParamSpec length(std::string name, std::string doc, double fallback) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = "m",
-            .fallback = fallback,
-            .min = 1e-6,
-            .max = 1e6};
+    return number_spec(std::move(name), std::move(doc), "m", fallback, 1e-6, 1e6);
 }
 
 void check_stroke(const Params& params, double limit) {

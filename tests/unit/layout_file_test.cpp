@@ -3,9 +3,9 @@
 #include "core/canvas.h"
 #include "core/display_encoding.h"
 #include "core/error.h"
-#include "formats/bake_json.h"
 #include "formats/layout_picture.h"
 #include "formats/read_bake_json.h"
+#include "formats/write_bake_json.h"
 #include "geometry/plane/ground_plane.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search for seeds against all seeds around, and the constants that were measured.
 #include "core/random.h"
-#include "procedurals/solid/cells/cells_shapes_text.h"
+#include "procedurals/solid/cells/beds_as_cpp.h"
+#include "procedurals/solid/cells/creases_as_cpp.h"
+#include "procedurals/solid/cells/spots_as_cpp.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include "procedurals/solid/breccia/breccia.h"
 
 #include "core/random.h"
+#include "procedurals/solid/breccia/breccia_as_cpp.h"
 #include "procedurals/solid/breccia/breccia_presets.h"
 #include "procedurals/solid/breccia/breccia_source.h"
-#include "procedurals/solid/breccia/breccia_text.h"
 #include "procedurals/solid/cells/grains_source.h"
 #include "procedurals/solid/solid_procedural.h"
 
@@ -50,11 +50,6 @@ float measured_share(const solid::CellVeins& veins) {
     return float(inside) / points;
 }
 
-SCREE_FOR_PROCESSORS solid::SolidSample breccia_sample(solid::Field field, const Breccia* breccia,
-                                                       const solid::SolidPoint& point) {
-    return solid::breccia_at(field, breccia, point);
-}
-
 std::shared_ptr<const Procedural> make_breccia(const Params& params) {
     const BrecciaPreset& preset = preset_named(breccia_presets(), params);
     const double scale = preset_scale(params);
@@ -91,7 +86,7 @@ std::shared_ptr<const Procedural> make_breccia(const Params& params) {
     breccia.cement_roughness = as_float(std::min(1.0, 1.3 * stones.roughness));
     breccia.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = cells_program({grains_source, breccia_source});
-    return std::make_shared<SolidProcedural<Breccia, breccia_sample>>(
+    return std::make_shared<SolidProcedural<Breccia, solid::breccia_at>>(
         lattice, breccia, SolidKernel{text.c_str(), "Breccia", "breccia_at"});
 }
 

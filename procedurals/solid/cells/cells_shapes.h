@@ -2,8 +2,10 @@
 // What presets say of creases, spots and beds, and these as the .cl texts take them.
 #pragma once
 
-#include "procedurals/solid/cells/cells_shapes_text.h"
+#include "procedurals/solid/cells/beds_as_cpp.h"
 #include "procedurals/solid/cells/cells_specs.h"
+#include "procedurals/solid/cells/creases_as_cpp.h"
+#include "procedurals/solid/cells/spots_as_cpp.h"
 
 namespace scree {
 

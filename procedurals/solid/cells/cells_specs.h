@@ -2,7 +2,7 @@
 // What all textures of cells are set up from.
 #pragma once
 
-#include "procedurals/solid/cells/cells_text.h"
+#include "procedurals/solid/cells/hewn_as_cpp.h"
 #include "procedurals/solid/solid_specs.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "procedurals/solid/cells/cells_specs.h"
-#include "procedurals/solid/cells/grains_text.h"
+#include "procedurals/solid/cells/grains_as_cpp.h"
 
 namespace scree {
 

@@ -2,9 +2,9 @@
 #include "procedurals/solid/granite/granite.h"
 
 #include "procedurals/solid/cells/grains_source.h"
+#include "procedurals/solid/granite/granite_as_cpp.h"
 #include "procedurals/solid/granite/granite_presets.h"
 #include "procedurals/solid/granite/granite_source.h"
-#include "procedurals/solid/granite/granite_text.h"
 #include "procedurals/solid/solid_procedural.h"
 
 namespace scree {
@@ -31,11 +31,6 @@ GrainRecipe recipe_of(const Params& params, const GranitePreset& preset) {
     return recipe;
 }
 
-SCREE_FOR_PROCESSORS solid::SolidSample granite_sample(solid::Field field, const Granite* granite,
-                                                       const solid::SolidPoint& point) {
-    return solid::granite_at(field, granite, point);
-}
-
 std::shared_ptr<const Procedural> make_granite(const Params& params) {
     const GranitePreset& preset = preset_named(granite_presets(), params);
     const auto lattice = make_lattice(params);
@@ -46,7 +41,7 @@ std::shared_ptr<const Procedural> make_granite(const Params& params) {
     granite.filtered = params.flag("filtered") ? 1 : 0;
     granite.grains = make_grains(params, "minerals", recipe, lattice->header());
     static const std::string text = cells_program({grains_source, granite_source});
-    return std::make_shared<SolidProcedural<Granite, granite_sample>>(
+    return std::make_shared<SolidProcedural<Granite, solid::granite_at>>(
         lattice, granite, SolidKernel{text.c_str(), "Granite", "granite_at"});
 }
 

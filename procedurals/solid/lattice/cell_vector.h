@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included by lattice_text.h: the trilinear field of one cell, four lanes at a time. The same
-// operations in the same order as cell_field_plainly, so the same bits.
+// The lattice's kernel on the host, with the trilinear field of one cell, four lanes at a time: the
+// same operations in the same order as cell_field_plainly, so the same bits.
+#pragma once
+
+#include "core/float4.h"
+#include "procedurals/solid/lattice/lattice_as_cpp.h"
+
+#include <cstring>
+
+namespace scree::solid {
 
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
@@ -55,3 +63,5 @@ inline Fluctuation cell_field(const short* nodes16, const float* nodes32, int fi
     const Float4 found = near_z + climb * in.z;
     return {found[0], scaled(triple(found[1], found[2], climb[0]), cells), 0.0F};
 }
+
+} // namespace scree::solid

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "procedurals/solid/lattice/cell_vector.h"
 #include "procedurals/solid/lattice/large_array.h"
-#include "procedurals/solid/lattice/lattice_text.h"
 
 #include <span>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 3-D random fractal of Okada, Yokoi, Toriwaki & Hori (1987) as both the host and OpenCL
-// devices evaluate it: OpenCL C 1.2 that is C++ as well (see text_as_cpp.h).
+// devices evaluate it: OpenCL C 1.2 that is C++ as well (see core/kernel_as_cpp.h).
 //
 // The lattice covers one unit cube by cells that are halved level after level. A node that first
 // appears on level n is the mean of its neighbours plus g L_n with g normal and L_n =
@@ -248,7 +248,7 @@ static inline Fluctuation cell_field_plainly(global const short* nodes16,
     }
     return trilinear(v, in.x, in.y, in.z, cells);
 }
-#ifdef LATTICE_TEXT_ON_HOST // in vectors, to the same bits: cell_vector.h
+#ifndef __OPENCL_VERSION__ // in vectors, to the same bits: cell_vector.h
 inline Fluctuation cell_field(const short* nodes16, const float* nodes32, int first, int stride,
                               int side, float step, Triple in, float cells);
 #else
@@ -309,7 +309,7 @@ static inline void add_levels_plainly(global const Lattice* lattice, int first, 
     if (share > 0.0f)
         add_field(sum, level_field(lattice, last + 1, p), share * lattice->spread[last + 1]);
 }
-#ifdef LATTICE_TEXT_ON_HOST // in vectors, to the same bits: levels_vector.cpp
+#ifndef __OPENCL_VERSION__ // in vectors, to the same bits: levels_vector.cpp
 void add_levels(const Lattice* lattice, int first, int last, float share, Triple p,
                 Fluctuation* sum);
 #else

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "procedurals/solid/lattice/lattice_text.h"
+#include "procedurals/solid/lattice/cell_vector.h"
 
 #include <cstddef>
 

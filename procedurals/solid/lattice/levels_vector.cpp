@@ -2,7 +2,7 @@
 // Levels that are not stored, at one point, as renders near a surface ask them: the variates of all
 // levels' nodes together, and each level's value and gradient as the four lanes of a vector. The
 // bits are those of add_levels_plainly.
-#include "procedurals/solid/lattice/lattice_text.h"
+#include "procedurals/solid/lattice/cell_vector.h"
 #include "procedurals/solid/lattice/vector_path.h"
 
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "procedurals/solid/leather/leather.h"
 
+#include "procedurals/solid/leather/leather_as_cpp.h"
 #include "procedurals/solid/leather/leather_presets.h"
 #include "procedurals/solid/leather/leather_source.h"
-#include "procedurals/solid/leather/leather_text.h"
 #include "procedurals/solid/solid_procedural.h"
 
 namespace scree {
@@ -11,11 +11,6 @@ namespace scree {
 namespace {
 
 using solid::Leather;
-
-SCREE_FOR_PROCESSORS solid::SolidSample leather_sample(solid::Field field, const Leather* leather,
-                                                       const solid::SolidPoint& point) {
-    return solid::leather_at(field, leather, point);
-}
 
 std::shared_ptr<const Procedural> make_leather(const Params& params) {
     const LeatherPreset& preset = preset_named(solid_leather_presets(), params);
@@ -46,7 +41,7 @@ std::shared_ptr<const Procedural> make_leather(const Params& params) {
     leather.crease_roughness = as_float(std::min(1.0, roughness + 0.25)); // which nothing rubs
     leather.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = shapes_program({leather_source});
-    return std::make_shared<SolidProcedural<Leather, leather_sample>>(
+    return std::make_shared<SolidProcedural<Leather, solid::leather_at>>(
         make_lattice(params), leather, SolidKernel{text.c_str(), "Leather", "leather_at"});
 }
 

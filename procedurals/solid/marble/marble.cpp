@@ -2,9 +2,9 @@
 #include "procedurals/solid/marble/marble.h"
 
 #include "core/random.h"
+#include "procedurals/solid/marble/marble_as_cpp.h"
 #include "procedurals/solid/marble/marble_presets.h"
 #include "procedurals/solid/marble/marble_source.h"
-#include "procedurals/solid/marble/marble_text.h"
 #include "procedurals/solid/marble/marble_vector.h"
 #include "procedurals/solid/marble/vein_layer.h"
 #include "procedurals/solid/solid_procedural.h"
@@ -81,11 +81,6 @@ VeinLayer make_layer(const Params& params, const MarbleVeins& veins, unsigned in
     return layer;
 }
 
-SCREE_FOR_PROCESSORS solid::SolidSample marble_sample(solid::Field field, const Marble* marble,
-                                                      const solid::SolidPoint& point) {
-    return solid::marble_at(field, marble, point);
-}
-
 std::shared_ptr<const Procedural> make_marble(const Params& params) {
     const MarblePreset& preset = preset_of(params);
     const auto as_color = [](const Color& c) { return solid::Triple{c.x, c.y, c.z}; };
@@ -108,7 +103,7 @@ std::shared_ptr<const Procedural> make_marble(const Params& params) {
         const auto index = static_cast<unsigned>(marble.layers);
         marble.layer[marble.layers++] = make_layer(params, veins, index);
     }
-    return std::make_shared<SolidProcedural<Marble, marble_sample, marble_in_lanes>>(
+    return std::make_shared<SolidProcedural<Marble, solid::marble_at, marble_in_lanes>>(
         make_lattice(params), marble, SolidKernel{marble_source, "Marble", "marble_at"});
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/procedural.h"
-#include "procedurals/solid/marble/marble_text.h"
+#include "procedurals/solid/marble/marble_as_cpp.h"
 
 #include <span>
 

@@ -3,8 +3,8 @@
 
 #include "core/params.h"
 #include "core/random.h"
+#include "procedurals/solid/marble/marble_as_cpp.h"
 #include "procedurals/solid/marble/marble_presets.h"
-#include "procedurals/solid/marble/marble_text.h"
 
 namespace scree {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "procedurals/solid/marble/marble_text.h"
+#include "procedurals/solid/marble/marble_as_cpp.h"
 
 #include <cstdint>
 #include <span>

@@ -3,9 +3,9 @@
 
 #include "procedurals/solid/cells/grains_source.h"
 #include "procedurals/solid/solid_procedural.h"
+#include "procedurals/solid/stone/stone_as_cpp.h"
 #include "procedurals/solid/stone/stone_presets.h"
 #include "procedurals/solid/stone/stone_source.h"
-#include "procedurals/solid/stone/stone_text.h"
 
 namespace scree {
 
@@ -49,11 +49,6 @@ void set_shells(Stone& stone, const Params& params, const StonePreset& preset,
     stone.grains = make_grains(params, "shells", shells, lattice);
 }
 
-SCREE_FOR_PROCESSORS solid::SolidSample stone_sample(solid::Field field, const Stone* stone,
-                                                     const solid::SolidPoint& point) {
-    return solid::stone_at(field, stone, point);
-}
-
 std::shared_ptr<const Procedural> make_stone(const Params& params) {
     const StonePreset& preset = preset_named(stone_presets(), params);
     const double scale = preset_scale(params);
@@ -81,7 +76,7 @@ std::shared_ptr<const Procedural> make_stone(const Params& params) {
                            preset.relief_size * scale, preset.relief_stretch);
     stone.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = shapes_program({grains_source, stone_source});
-    return std::make_shared<SolidProcedural<Stone, stone_sample>>(
+    return std::make_shared<SolidProcedural<Stone, solid::stone_at>>(
         lattice, stone, SolidKernel{text.c_str(), "Stone", "stone_at"});
 }
 

@@ -4,10 +4,10 @@
 #include "core/random.h"
 #include "procedurals/solid/solid_procedural.h"
 #include "procedurals/solid/solid_specs.h"
+#include "procedurals/solid/wood/wood_as_cpp.h"
 #include "procedurals/solid/wood/wood_presets.h"
 #include "procedurals/solid/wood/wood_source.h"
 #include "procedurals/solid/wood/wood_specs.h"
-#include "procedurals/solid/wood/wood_text.h"
 
 #include <algorithm>
 
@@ -78,11 +78,6 @@ void set_cells(Wood& wood, const Params& params, const WoodPreset& preset) {
     wood.ray_cell = wood.ray_width * 5;
 }
 
-SCREE_FOR_PROCESSORS solid::SolidSample wood_sample(solid::Field field, const Wood* wood,
-                                                    const solid::SolidPoint& point) {
-    return solid::wood_at(field, wood, point);
-}
-
 std::shared_ptr<const Procedural> make_wood(const Params& params) {
     const WoodPreset& preset = preset_of(params);
     const SolidFrame frame = solid_frame(params);
@@ -131,7 +126,7 @@ std::shared_ptr<const Procedural> make_wood(const Params& params) {
     wood.knot = {0.5F, 0.38F, 0.28F};
     if (params.has("knot"))
         wood.knot = as_color(factor_to(reflectance(params, "knot"), early, late));
-    return std::make_shared<SolidProcedural<Wood, wood_sample>>(
+    return std::make_shared<SolidProcedural<Wood, solid::wood_at>>(
         make_lattice(params), wood, SolidKernel{wood_source, "Wood", "wood_at"});
 }
 

@@ -19,18 +19,6 @@ ParamSpec preset_spec() {
             .choices = names};
 }
 
-/// A number that is there whatever the preset.
-ParamSpec plain_number(std::string name, std::string doc, std::string unit, double fallback,
-                       double min, double max) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = std::move(unit),
-            .fallback = fallback,
-            .min = min,
-            .max = max};
-}
-
 } // namespace
 
 std::vector<ParamSpec> wood_specs() {
@@ -69,18 +57,18 @@ std::vector<ParamSpec> wood_specs() {
         preset_number("ray_height", "Height of a ray along the trunk.", "m", 1e-6, 10),
         preset_number("ray_width", "Width of a ray.", "m", 1e-7, 1),
         preset_color("ray", "Colour of rays."),
-        plain_number("knots", "Branches per metre of trunk.", "1/m", 0, 0, 1000),
-        plain_number("knot_size", "Growth of a branch's radius against the trunk's.", "", 0.12,
-                     0.01, 0.9),
+        number_spec("knots", "Branches per metre of trunk.", "1/m", 0, 0, 1000),
+        number_spec("knot_size", "Growth of a branch's radius against the trunk's.", "", 0.12, 0.01,
+                    0.9),
         {.name = "knot",
          .type = ParamType::color,
          .doc = "Colour of knots; unless given, darker and redder than the wood.",
          .optional = true},
         preset_number("sapwood", "Radius from which the wood is sapwood; none unless given.", "m",
                       0, 1e3),
-        plain_number("late_height", "How far late wood stands out, as on weathered boards.", "m", 0,
-                     -1, 1),
-        plain_number("pore_depth", "Depth of vessels that are cut open.", "m", 0, -1, 1),
+        number_spec("late_height", "How far late wood stands out, as on weathered boards.", "m", 0,
+                    -1, 1),
+        number_spec("pore_depth", "Depth of vessels that are cut open.", "m", 0, -1, 1),
         {.name = "iterations",
          .type = ParamType::integer,
          .doc = "Steps to what the displacement brought here; 0: to first order.",

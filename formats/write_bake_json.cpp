@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/bake_json.h"
+#include "formats/write_bake_json.h"
 
 #include "core/version.h"
 
