@@ -43,8 +43,8 @@ void BoxGrid::for_each_cell(const Box2& box, const Add& add) const {
         }
 }
 
-// On a torus the search ends at the latest one period away, beyond which there are only images of
-// what was seen; the plane's grid ends at its border.
+// The number of rings to search around a cell: on a torus up to one period, beyond which there are
+// only images of visited boxes; in the plane up to the border of the grid.
 std::int64_t BoxGrid::ring_count(std::int64_t x, std::int64_t y) const {
     if (entries_.empty())
         return -1;

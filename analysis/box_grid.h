@@ -11,22 +11,22 @@
 
 namespace scree {
 
-/// A uniform grid of boxes in the plane, or on a torus, for neighbour queries. Visitors get the
-/// index of a box and the shift [m] that brings it to the image near the query; a box that lies in
+/// A uniform grid of boxes in the plane or on a torus, for neighbour queries. Visitors get the
+/// index of a box and the shift [m] of its periodic image near the query. A box that lies in
 /// several cells may be visited several times.
 class BoxGrid {
   public:
-    /// `frame` is the torus' rectangle, or a box that holds every query; boxes may stick out.
-    /// About `boxes_per_cell` of them start in a cell.
+    /// `frame` is the rectangle of the torus, or a box that contains all queries; boxes may extend
+    /// beyond it. There is about one cell for every `boxes_per_cell` boxes.
     BoxGrid(std::span<const Box2> boxes, const Box2& frame, bool torus, double boxes_per_cell = 2);
 
-    /// visit(index, shift) for every box in the cell of the point.
+    /// Calls visit(index, shift) for every box in the cell of the point.
     template <class Visit>
     void visit_at(const Vec2& point, const Visit& visit) const {
         visit_cell(cell_of(point.x, 0), cell_of(point.y, 1), visit);
     }
 
-    /// visit(index, shift) for all boxes that may meet the given one.
+    /// Calls visit(index, shift) for all boxes that may intersect the given one.
     template <class Visit>
     void visit_box(const Box2& box, const Visit& visit) const {
         const std::int64_t x1 = cell_of(box.max.x, 0);
@@ -36,8 +36,8 @@ class BoxGrid {
                 visit_cell(x, y, visit);
     }
 
-    /// The least value of distance(index, shift) [m], which must be the distance from `point` to
-    /// something inside the box; infinity when there is no box.
+    /// The minimum of distance(index, shift) [m], which must be the distance from `point` to
+    /// something inside that box; infinity when there are no boxes.
     template <class Distance>
     double nearest(const Vec2& point, const Distance& distance) const {
         const std::int64_t x = cell_of(point.x, 0);
@@ -47,7 +47,7 @@ class BoxGrid {
             best = std::min(best, distance(index, shift));
         };
         for (std::int64_t ring = 0; ring <= ring_count(x, y); ++ring) {
-            // What lies outside the rings so far is at least this far away.
+            // Everything outside the rings visited so far is at least this far away.
             if (ring > 0 && best <= ring_distance(point, x, y, ring - 1))
                 break;
             for (std::int64_t dx = -ring; dx <= ring; ++dx) {
@@ -66,13 +66,13 @@ class BoxGrid {
   private:
     struct Entry {
         std::uint32_t index;
-        std::int16_t turns_x; // how many periods to the right its image in this cell lies
+        std::int16_t turns_x; // shift of its image in this cell, in periods
         std::int16_t turns_y;
     };
 
     std::int64_t cell_of(double coordinate, int axis) const {
         const double cell = std::floor((coordinate - frame_.min[axis]) / size_[axis]);
-        // Outside the plane's grid all lies in its border cells.
+        // In the plane, everything outside the grid belongs to its border cells.
         return static_cast<std::int64_t>(torus_ ? cell
                                                 : std::clamp(cell, 0.0, double(count_[axis] - 1)));
     }

@@ -11,7 +11,8 @@ namespace scree {
 
 namespace {
 
-// Integral over t in [0, 1] of max(0, min(e, f)) of two linear functions given by their ends.
+// The integral over t in [0, 1] of max(0, min(e, f)), where e and f are linear from e0 to e1 and
+// from f0 to f1.
 double integral_of_lower(double e0, double e1, double f0, double f1) {
     std::array<double, 5> breaks{0, 1, 1, 1, 1};
     const auto add_zero = [&](std::size_t i, double at0, double at1) {
@@ -31,7 +32,8 @@ double integral_of_lower(double e0, double e1, double f0, double f1) {
     return sum;
 }
 
-// Whether an edge of the domain comes near the box; if none does, the box is in or out as a whole.
+// Whether the bounding box of an edge of the domain meets the box. If none does, the box lies
+// entirely inside or outside.
 bool meets_edges(const Region& domain, const Box2& box) {
     for (const Ring& ring : domain.rings)
         for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -46,8 +48,9 @@ bool meets_edges(const Region& domain, const Box2& box) {
 
 } // namespace
 
-// A polygon's indicator is the sum over its edges of the signed indicators of what lies below each
-// edge, so the area of an intersection is a double sum over edges of signed areas below both.
+// The indicator function of a polygon is the sum over its edges of the signed indicators of the
+// areas below them. So the area of an intersection is the sum over pairs of edges of the signed
+// areas below both.
 double intersection_area(const Region& a, const Region& b) {
     const double base = bounds(a).min.y;
     double area = 0;

@@ -5,12 +5,12 @@
 
 namespace scree {
 
-/// Area of the intersection of two polygons with holes [m^2], exact up to rounding; time grows
-/// with the product of their edges' numbers. Touching and shared edges do no harm.
+/// Area of the intersection of two polygons with holes [m^2], exact up to rounding, also for
+/// touching and shared edges. The time is proportional to the product of the numbers of edges.
 double intersection_area(const Region& a, const Region& b);
 
-/// Area of the window that the regions cover, which must not overlap [m^2]: of a region that
-/// sticks out of the domain only the part inside counts; on a torus all counts.
+/// Area of the window that is covered by the regions [m^2], which must not overlap. Only the parts
+/// inside the domain count, except on a torus, where the regions count in full.
 double covered_area(const PlacedRegions& regions);
 
 } // namespace scree

@@ -66,7 +66,7 @@ Histogram histogram(std::span<const double> values, double limit, std::size_t bi
         if (!std::isfinite(value) || value < 0)
             continue;
         ++finite;
-        // The largest value belongs to the last bin.
+        // A value equal to the limit belongs to the last bin.
         const double bin = std::floor(value / result.bin_width);
         if (bin < double(bins))
             result.density[static_cast<std::size_t>(bin)] += 1;

@@ -12,10 +12,10 @@ namespace {
 
 struct Square {
     Vec2 centre;
-    double half = 0;      // of its side
+    double half = 0;      // half of the side
     double clearance = 0; // at the centre
 
-    // A distance changes by no more than one moves (it is 1-Lipschitz).
+    // An upper bound over the square, since the clearance is 1-Lipschitz.
     double bound() const { return clearance + half * std::sqrt(2.0); }
     bool operator<(const Square& other) const { return bound() < other.bound(); }
 };
@@ -30,13 +30,13 @@ Circle largest_empty_circle(const PlacedRegions& regions, const RegionDistance& 
     const auto clearance = [&](const Vec2& p) {
         const double border = regions.window.torus ? std::numeric_limits<double>::infinity()
                                                    : -signed_distance(domain, p);
-        // On a torus without regions any circle that does not meet itself is empty.
+        // On a torus a circle must not meet its own periodic images.
         const double self = regions.window.torus ? std::min(size.x, size.y) / 2
                                                  : std::numeric_limits<double>::infinity();
         return border <= 0 ? border : std::min({border, self, distance(p)});
     };
 
-    // About one square per element to begin with, measured in parallel.
+    // The search starts with about one square per element, evaluated in parallel.
     const double count = std::max(64.0, double(regions.positions.size()));
     const double side = std::min({std::sqrt(size.x * size.y / count), size.x, size.y});
     const auto columns = static_cast<std::size_t>(std::ceil(size.x / side));

@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Kernel of Barnett et al. (2019), eq. 1.8, for a grid twice as fine as needed.
+// Kernel of Barnett et al. (2019), eq. 1.8, for an oversampling factor of 2.
 constexpr int kernel_width = 10;
 constexpr double kernel_beta = 2.30 * kernel_width;
 
@@ -22,8 +22,8 @@ double kernel(double offset) { // in grid steps
     return std::abs(z) < 1 ? std::exp(kernel_beta * (std::sqrt(1 - z * z) - 1)) : 0;
 }
 
-// The kernel's Fourier transform at `cycles` per grid step, by Simpson's rule; the kernel is 1e-10
-// at its ends.
+// The kernel's Fourier transform at `cycles` per grid step, by Simpson's rule. The kernel is
+// negligible, 1e-10, at its ends.
 double kernel_transform(double cycles) {
     constexpr int steps = 400;
     double sum = 0;
@@ -35,7 +35,7 @@ double kernel_transform(double cycles) {
     return sum * kernel_width / (3.0 * steps);
 }
 
-/// In-place transform of a power of two of numbers (Cooley & Tukey 1965).
+/// In-place fast Fourier transform of 2^n numbers (Cooley & Tukey 1965).
 class FastFourier {
   public:
     explicit FastFourier(std::size_t size) : size_(size), roots_(size / 2) {
@@ -44,7 +44,7 @@ class FastFourier {
     }
 
     void operator()(std::vector<Complex>& data) const {
-        for (std::size_t i = 1, j = 0; i < size_; ++i) { // order by reversed bits
+        for (std::size_t i = 1, j = 0; i < size_; ++i) { // bit reversal
             std::size_t bit = size_ >> 1;
             for (; (j & bit) != 0; bit >>= 1)
                 j ^= bit;
@@ -58,7 +58,7 @@ class FastFourier {
                 for (std::size_t k = 0; k < half; ++k) {
                     const Complex& root = roots_[k * stride];
                     const Complex& b = data[start + half + k];
-                    // Not operator*, which looks for NaN.
+                    // Faster than operator*, which handles NaN.
                     const Complex turned(b.real() * root.real() - b.imag() * root.imag(),
                                          b.real() * root.imag() + b.imag() * root.real());
                     const Complex a = data[start + k];
@@ -77,7 +77,7 @@ std::size_t grid_size(int reach) {
     return std::bit_ceil(std::size_t(std::max(2 * (2 * reach + 1), 2 * kernel_width)));
 }
 
-// The grid cells a coordinate spreads to, and its weight in each.
+// The grid cells that a coordinate is spread to, and its weight in each.
 struct Spread {
     std::array<std::size_t, kernel_width> cell;
     std::array<double, kernel_width> weight;
@@ -118,7 +118,8 @@ FourierSums fourier_sums(std::span<const Vec2> points, int reach_x, int reach_y)
     const std::size_t width = sums.width();
     const std::size_t columns = grid_size(reach_x);
     const std::size_t rows = grid_size(reach_y);
-    std::vector<Complex> middle(width * rows); // rows transformed, frequencies in reach kept
+    // The transformed rows; only needed frequencies are kept.
+    std::vector<Complex> middle(width * rows);
     {
         const std::vector<double> grid = spread_grid(points, columns, rows);
         const FastFourier transform(columns);

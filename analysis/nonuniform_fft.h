@@ -9,8 +9,8 @@
 
 namespace scree {
 
-/// Fourier sums at whole frequencies (x, y) with |x| <= reach_x and 0 <= y <= reach_y; the others
-/// are conjugates of these.
+/// Fourier sums at integer frequencies (x, y) with |x| <= reach_x and 0 <= y <= reach_y; those with
+/// negative y are the complex conjugates of these.
 struct FourierSums {
     int reach_x = 0;
     int reach_y = 0;
@@ -22,12 +22,12 @@ struct FourierSums {
     }
 };
 
-/// The sums over points p of exp(-2 pi i (x p.x + y p.y)), for points on the unit torus (any
-/// numbers; their fractions count), by a nonuniform fast Fourier transform of type 1: each point is
-/// spread on a grid twice as fine as the highest frequency with the "exponential of semicircle"
-/// kernel, the grid transformed, the kernel's transform divided out (Barnett, Magland & af
-/// Klinteberg 2019). The error is below 1e-7 of the number of points; time grows as
-/// n + K log K for n points and K sums.
+/// The sums over points p of exp(-2 pi i (x p.x + y p.y)), for points on the unit torus
+/// (coordinates are taken modulo 1). A nonuniform fast Fourier transform of type 1: points are
+/// spread to a grid oversampled by 2 with the "exponential of semicircle" kernel, the grid is
+/// transformed, and the result is divided by the kernel's transform (Barnett, Magland & af
+/// Klinteberg 2019). The error is below 1e-7 of the number of points. The time is O(n + K log K)
+/// for n points and K sums.
 FourierSums fourier_sums(std::span<const Vec2> points, int reach_x, int reach_y);
 
 } // namespace scree

@@ -11,7 +11,7 @@ namespace scree {
 
 namespace {
 
-// Ordered pairs per bin.
+// The number of ordered pairs in each bin.
 std::vector<double> count_pairs(std::span<const Vec2> points, const Window& window, double reach,
                                 std::size_t bins) {
     Box2 frame = bounds(*window.domain);
@@ -22,7 +22,7 @@ std::vector<double> count_pairs(std::span<const Vec2> points, const Window& wind
             frame.extendBy(point);
     }
     const BoxGrid grid(boxes, frame, window.torus);
-    // Whole numbers in doubles: the sum is exact in any order.
+    // Counts are integers in doubles, so the sum is exact in any order.
     constexpr std::size_t points_per_part = 4096;
     const std::size_t parts = (points.size() + points_per_part - 1) / points_per_part;
     std::vector<std::vector<double>> counts(parts, std::vector<double>(bins));
@@ -51,8 +51,9 @@ std::vector<double> count_pairs(std::span<const Vec2> points, const Window& wind
 double set_covariance(const Window& window, double r) {
     if (window.torus)
         return area(*window.domain);
-    // Half a turn will do: moving by -t leaves the same area. Midpoints of 16 equal parts are exact
-    // to 1e-3 for a rectangle at half its side, and better for rounder windows.
+    // Half a turn is enough, since translations by t and -t give the same area. The midpoint rule
+    // with 16 directions has an error of 1e-3 for a rectangle at half its side, and less for
+    // rounder windows.
     constexpr int directions = 16;
     double sum = 0;
     for (int d = 0; d < directions; ++d) {
@@ -73,8 +74,7 @@ PairCorrelation pair_correlation(std::span<const Vec2> points, const Window& win
         return result;
     const std::vector<double> counts = count_pairs(points, window, reach, bins);
 
-    // The set covariance is smooth (its slope at 0 is that of the perimeter): few values, joined by
-    // lines, are enough.
+    // The set covariance is smooth, so a few values with linear interpolation are enough.
     constexpr std::size_t knots = 33;
     std::vector<double> covariance(knots);
     parallel_for(knots, 1, [&](std::size_t i) {

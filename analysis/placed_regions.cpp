@@ -10,7 +10,7 @@ namespace scree {
 
 namespace {
 
-// Into the window's rectangle, each coordinate in [min, max).
+// Wraps a point into the rectangle of a torus, each coordinate in [min, max).
 Vec2 wrapped(Vec2 p, const Box2& box) {
     for (int axis = 0; axis < 2; ++axis) {
         const double period = box.max[axis] - box.min[axis];
@@ -21,7 +21,7 @@ Vec2 wrapped(Vec2 p, const Box2& box) {
     return p;
 }
 
-// A matrix that mirrors turns the rings round.
+// Restores the orientation of rings that a mirroring matrix has reversed.
 Region turned_outwards(Region region) {
     if (area(region) < 0)
         for (Ring& ring : region.rings)

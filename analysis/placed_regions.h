@@ -5,8 +5,8 @@
 
 namespace scree {
 
-/// Where points or regions were placed. On a torus `domain` is an axis-parallel rectangle whose
-/// opposite sides are one; otherwise a polygon with holes. Only the rings are read.
+/// The window in which points or regions were placed: a polygon with holes or, on a torus, an
+/// axis-parallel rectangle whose opposite sides are identified. Only the rings are used.
 struct Window {
     std::shared_ptr<const Region> domain;
     bool torus = false;
@@ -20,14 +20,14 @@ struct PlacedPoints {
     std::vector<std::string> kind_names;
 };
 
-/// The points with the region around each; `outlines` is empty when regions are unknown. On a torus
-/// a region may stick out of the window; what sticks out lies at the opposite side.
+/// The points with their regions. On a torus a region may extend beyond the window, whose opposite
+/// side it then re-enters.
 struct PlacedRegions : PlacedPoints {
-    std::vector<Region> outlines; // per element where it was placed, rings only [m]
+    std::vector<Region> outlines; // placed region of each element, rings only [m]; empty: unknown
 };
 
-/// The elements of a layout: an element's position is the image of the centre of its region's
-/// bounding box, or of the origin where it has none. Needs a domain.
+/// The elements of a layout. The position of an element is that of the centre of its region's
+/// bounding box, or of its origin if it has no region. The aggregate must have a domain.
 PlacedRegions placed_regions(const Aggregate& aggregate);
 
 } // namespace scree

@@ -8,35 +8,35 @@
 
 namespace scree {
 
-/// One axis of a plot: the values at its ends and what they are.
+/// One axis of a plot: its limits and its label.
 struct Axis {
     double low = 0;
     double high = 1;
     std::string label;
 };
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) inside the axis, about `count` of them.
+/// Tick positions on the axis, about `count`, at steps of 1, 2 or 5 times a power of ten.
 std::vector<double> ticks(const Axis& axis, int count = 6);
 
-/// A frame with axes, ticks and labels, in which curves are drawn; what lies outside is cut off.
+/// A frame with axes, ticks and labels, in which curves are drawn, clipped to the frame.
 class Plot {
   public:
     /// `frame` in pixels is the area between the axes; labels lie around it.
     Plot(Canvas& canvas, const Box2& frame, const std::string& title, Axis x, Axis y);
 
-    /// In pixels.
+    /// Converts plot coordinates to pixels.
     Vec2 at(double x, double y) const;
 
-    /// Joins points (x, y); a y that is not finite makes a gap.
+    /// A polyline through points (x, y); a non-finite y makes a gap.
     void curve(const std::vector<Vec2>& points, double width, const Color& color);
 
-    /// A bar of each height over equal steps from x = 0.
+    /// Bars of the given heights and width `step`, from x = 0.
     void bars(double step, const std::vector<double>& heights, const Color& color);
 
     void horizontal(double y, const Color& color);
     void vertical(double x, const Color& color);
 
-    /// A coloured dash with a name, in the given row from the top right.
+    /// A legend entry, a coloured dash with a name, in the given row at the top right.
     void legend(int row, const std::string& name, const Color& color);
 
     const Box2& frame() const { return frame_; }

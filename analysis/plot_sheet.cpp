@@ -20,15 +20,15 @@ const Color grey(0.55F, 0.55F, 0.57F);
 
 constexpr int width = 1680;
 constexpr int height = 1060;
-constexpr std::size_t kinds_shown = 6; // more curves could not be told apart
+constexpr std::size_t kinds_shown = 6; // more curves cannot be distinguished
 
-// The frame of a panel: three in a row, two rows.
+// The frame of a panel; there are two rows of three.
 Box2 panel(int column, int row) {
     const Vec2 corner(110 + 560.0 * column, 110 + 500.0 * row);
     return {corner, corner + Vec2(420, 370)};
 }
 
-// Lengths are shown in the unit that gives numbers between 0.1 and 1000.
+// The unit in which lengths are shown, so that numbers lie between 0.1 and 1000.
 struct Unit {
     double per_metre;
     const char* name;
@@ -55,7 +55,7 @@ std::vector<Ring> to_pixels(const std::vector<Ring>& rings, const Vec2& origin, 
 void draw_layout(Canvas& canvas, const AnalysisReport& report, const PlacedRegions& layout) {
     const Box2 frame = panel(0, 0);
     const Box2 box = bounds(*layout.window.domain);
-    // Room for what sticks out, and no labels below.
+    // Leaves room for elements beyond the window; there are no labels below.
     const Vec2 room = frame.size() + Vec2(20, 30);
     const double scale = 0.94 * std::min(room.x / box.size().x, room.y / box.size().y);
     const Vec2 corner = frame.center() + Vec2(-20, 15) - box.size() * (scale / 2);
@@ -122,7 +122,7 @@ void draw_gaps(Canvas& canvas, const AnalysisReport& report) {
     const double limit = std::max(gaps.bin_width * double(gaps.density.size()),
                                   neighbours.bin_width * double(neighbours.density.size()));
     const Unit unit = unit_for(limit);
-    const auto share = [](const Histogram& histogram) { // in percent of a bin, comparable by shape
+    const auto share = [](const Histogram& histogram) { // percent per bin
         std::vector<double> out;
         for (const double density : histogram.density)
             out.push_back(100 * density * histogram.bin_width);
@@ -162,7 +162,7 @@ void draw_pairs(Canvas& canvas, const AnalysisReport& report) {
         plot.legend(0, "all", ink);
 }
 
-// The curve of each kind when they can be told apart, below that of all.
+// Draws the curve of each kind, unless there are too many kinds, before the curve of all points.
 void draw_kinds(Plot& plot, const AnalysisReport& report, const auto& values_of, double step,
                 bool named) {
     const std::size_t kinds = report.kind_names.size();
@@ -192,7 +192,7 @@ void draw_power(Canvas& canvas, const AnalysisReport& report) {
         [](const RadialSpectrum& radial) {
             std::vector<double> known = radial.power;
             for (std::size_t k = 0; k < known.size(); ++k)
-                if (radial.count[k] == 0) // the first annulus may hold frequency 0 alone
+                if (radial.count[k] == 0) // the first annulus may contain only frequency 0
                     known[k] = std::numeric_limits<double>::quiet_NaN();
             return known;
         },
@@ -207,8 +207,8 @@ void draw_power(Canvas& canvas, const AnalysisReport& report) {
         false);
 }
 
-// Grey from 0 (black) to twice the power of unordered points (white); each pixel the mean of the
-// frequencies that fall in it.
+// Grey from 0 (black) to twice the power of a Poisson process (white). Each pixel is the mean of
+// the frequencies that it covers.
 void draw_spectrum(Canvas& canvas, const AnalysisReport& report) {
     const PowerSpectrum& spectrum = report.spectrum;
     const Box2 area = panel(2, 1);

@@ -18,8 +18,8 @@ constexpr int max_reach = 1023; // a grid of 4096 x 4096
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
-// Integral over the polygon of exp(-i k.x), k != 0, as a sum over its edges (the divergence
-// theorem; Lee & Mittra 1983).
+// The integral of exp(-i k.x) over the polygon, k != 0, as a sum over its edges by the divergence
+// theorem (Lee & Mittra 1983).
 Complex polygon_transform(const Region& region, const Vec2& origin, const Vec2& k) {
     Complex sum = 0;
     for (const Ring& ring : region.rings)
@@ -82,7 +82,8 @@ RadialSpectrum radial_spectrum(const PowerSpectrum& spectrum, std::size_t max_bi
         std::min(spectrum.reach_x * spectrum.step.x, spectrum.reach_y * spectrum.step.y);
     RadialSpectrum radial;
     radial.bin_width = std::max({spectrum.step.x, spectrum.step.y, highest / double(max_bins)});
-    // Whole annuli only: beyond `highest` the spectrum's corners hold some directions alone.
+    // Complete annuli only: beyond `highest` the corners of the spectrum contain only some
+    // directions.
     const auto bins =
         static_cast<std::size_t>(std::max(1.0, std::floor(highest / radial.bin_width)));
     radial.power.resize(bins);
@@ -92,7 +93,7 @@ RadialSpectrum radial_spectrum(const PowerSpectrum& spectrum, std::size_t max_bi
         for (int y = 0; y <= spectrum.reach_y; ++y)
             for (int x = -spectrum.reach_x; x <= spectrum.reach_x; ++x) {
                 if (y == 0 && x <= 0)
-                    continue; // mirrors of the frequencies at x > 0
+                    continue; // these mirror the frequencies with x > 0
                 const double f = Vec2(x * spectrum.step.x, y * spectrum.step.y).length();
                 const auto bin = static_cast<std::size_t>(f / radial.bin_width + 1e-9);
                 if (bin >= bins)

@@ -7,9 +7,9 @@
 
 namespace scree {
 
-/// Power of points at frequencies that are whole multiples of `step`, the inverse of the sides of
-/// the window's bounding box: P(f) = |sum over points p of exp(-2 pi i f.p)|^2 / n, which averages
-/// 1 for points without order. Half the plane (f.y >= 0); the other half mirrors it.
+/// The power spectrum of points, P(f) = |sum over points p of exp(-2 pi i f.p)|^2 / n, at integer
+/// multiples of `step`, the inverse sides of the window's bounding box. Its mean is 1 for a Poisson
+/// process. Stored for f.y >= 0; the other half-plane is its mirror image.
 struct PowerSpectrum {
     Vec2 step; // [1/m]
     int reach_x = 0;
@@ -22,19 +22,18 @@ struct PowerSpectrum {
     }
 };
 
-/// The periodogram up to `highest` frequency [1/m], or to 1023 steps along an axis. On a torus it
-/// is that of the endless tiling. Elsewhere the window's own transform, times the density, is taken
-/// from the sum first (the directly debiased estimator of Hawat et al. 2023), or the window's shape
-/// would drown the low frequencies. All zero without points.
+/// The periodogram up to the frequency `highest` [1/m], but at most 1023 steps along an axis. On a
+/// torus it is that of the periodic tiling. In other windows the transform of the window times the
+/// density is subtracted from the sum first (the directly debiased estimator of Hawat et al. 2023),
+/// since it would dominate at low frequencies. All zero without points.
 PowerSpectrum periodogram(std::span<const Vec2> points, const Window& window, double highest);
 
 /// The mean of periodograms of the same frequencies (Bartlett 1948).
 PowerSpectrum mean_spectrum(std::span<const PowerSpectrum> spectra);
 
-/// What depends on the length of the frequency alone (Ulichney 1987, section 3.3; Lagae & Dutre
-/// 2008): the mean of the power over each annulus, and its anisotropy, the sample variance divided
-/// by the squared mean, in dB. Points without preferred directions have an anisotropy of
-/// -10 log10 K in the mean of K periodograms.
+/// Radial statistics of the spectrum (Ulichney 1987, section 3.3; Lagae & Dutre 2008): the mean of
+/// the power over each annulus, and its anisotropy, the sample variance divided by the squared
+/// mean, in dB. For isotropic points the anisotropy of the mean of K periodograms is -10 log10 K.
 struct RadialSpectrum {
     double bin_width = 0;              // [1/m]; annulus k holds frequencies from k to k + 1 widths
     std::vector<double> power;         // 0 where an annulus is empty
@@ -42,7 +41,7 @@ struct RadialSpectrum {
     std::vector<std::size_t> count;    // frequencies in the annulus, half the plane
 };
 
-/// Annuli as wide as the larger step, or wider so that there are at most `max_bins`.
+/// The annuli are as wide as the larger step, or wider so that there are at most `max_bins`.
 RadialSpectrum radial_spectrum(const PowerSpectrum& spectrum, std::size_t max_bins = 150);
 
 } // namespace scree

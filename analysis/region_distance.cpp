@@ -21,7 +21,8 @@ double distance_of_segments(const Vec2& a, const Vec2& b, const Vec2& c, const V
                      segment_distance(c, a, b), segment_distance(d, a, b)});
 }
 
-// What queries must lie in: the window, and on the plane all that sticks out of it.
+// A box that contains all queries: the window and, unless on a torus, the regions that extend
+// beyond it.
 Box2 frame_of(const PlacedRegions& regions) {
     Box2 frame = bounds(*regions.window.domain);
     if (!regions.window.torus)
@@ -90,15 +91,15 @@ double RegionDistance::to_neighbour(std::uint32_t element) const {
     const auto is_self = [&](std::uint32_t edge, const Vec2& shift) {
         return edges_[edge].element == element && shift == Vec2(0, 0);
     };
-    // On a torus an outline may have its vertices outside the frame; queries there are as good.
+    // On a torus an outline may have vertices outside the frame, where queries work too.
     double best = edge_grid_.nearest(edges_[begin].a, [&](std::uint32_t i, const Vec2& shift) {
         return is_self(i, shift)
                    ? std::numeric_limits<double>::infinity()
                    : segment_distance(edges_[begin].a - shift, edges_[i].a, edges_[i].b);
     });
-    for (std::uint32_t own = begin; own < end && std::isfinite(best); ++own) {
-        const Vec2& a = edges_[own].a;
-        const Vec2& b = edges_[own].b;
+    for (std::uint32_t edge = begin; edge < end && std::isfinite(best); ++edge) {
+        const Vec2& a = edges_[edge].a;
+        const Vec2& b = edges_[edge].b;
         Box2 box;
         box.extendBy(a);
         box.extendBy(b);

@@ -6,22 +6,22 @@
 
 namespace scree {
 
-/// Distances to placed regions, through an index of their edges: a query takes about a
-/// microsecond however many regions there are. On a torus all images count.
+/// Distances to placed regions, with a spatial index of their edges: a query takes about a
+/// microsecond independent of the number of regions. On a torus all periodic images count.
 class RegionDistance {
   public:
     /// `regions` must outlive this and have outlines.
     explicit RegionDistance(const PlacedRegions& regions);
 
-    /// Distance from the point to the nearest region's edge [m]: positive outside all regions,
-    /// negative or 0 inside one; infinity when there are none.
+    /// Signed distance from the point to the nearest edge of a region [m]: positive outside all
+    /// regions, negative or 0 inside one; infinity when there are none.
     double operator()(const Vec2& point) const;
 
     /// Whether the point lies in a region.
     bool inside(const Vec2& point) const;
 
-    /// Distance from the outline of one element to the nearest other one's [m], on a torus also to
-    /// its own images; 0 where they touch; infinity when it is alone.
+    /// Distance from the outline of one element to the nearest other outline [m], on a torus also
+    /// to its own images; 0 if they touch; infinity when there is none.
     double to_neighbour(std::uint32_t element) const;
 
   private:

@@ -10,8 +10,8 @@ namespace scree {
 
 namespace {
 
-// Six mean spacings show the order of any layout that is not a crystal; frequencies up to three
-// per spacing reach where the spectrum is flat again.
+// In units of the mean spacing: g(r) is flat beyond 6 unless the layout is a lattice, and the
+// spectrum is flat beyond a frequency of 3.
 constexpr double pair_reach = 6;
 constexpr std::size_t pair_bins = 90;
 constexpr double highest_frequency = 3;
@@ -51,7 +51,7 @@ void measure_regions(std::span<const PlacedRegions> layouts, AnalysisReport& rep
     report.gap = summary(gaps);
     report.gap_histogram = histogram(gaps, report.gap.maximum, gap_bins);
     report.neighbour = summary(neighbours);
-    // On the scale of the gaps: the long tail of lone elements would hide the rest.
+    // Limited to the scale of the gaps, since isolated elements would stretch the axis.
     const double limit = std::min(report.neighbour.maximum, 2 * report.gap.maximum);
     report.neighbour_histogram = histogram(neighbours, limit, neighbour_bins);
 }
@@ -65,7 +65,7 @@ void add(PairCorrelation& sum, const PairCorrelation& part, double weight) {
 
 void measure_pairs(std::span<const PlacedRegions> layouts, AnalysisReport& report) {
     const Vec2 size = bounds(*layouts[0].window.domain).size();
-    // Just below half a side, where a torus begins to repeat and a window has few pairs.
+    // Just below half a side: a torus repeats beyond, and other windows have few pairs.
     const double reach = std::min(pair_reach * report.spacing, 0.499 * std::min(size.x, size.y));
     const double share = 1 / double(layouts.size());
     report.pair_correlation_by_kind.resize(report.kind_names.size());

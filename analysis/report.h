@@ -10,20 +10,20 @@
 
 namespace scree {
 
-/// Points of the free space that `analyse` draws per layout.
+/// Number of sample points for gaps that `analyse` uses per layout.
 inline constexpr std::size_t gap_sample_count = std::size_t{1} << 17;
 
-/// What is measured of one layout by itself.
+/// Measurements of a single layout.
 struct LayoutFigures {
     std::uint64_t seed = 0;
     std::size_t count = 0;
     std::vector<std::size_t> count_by_kind;
-    std::optional<double> fill;                 // share of the window that regions cover
-    std::optional<Circle> largest_empty_circle; // both only where regions are known
+    std::optional<double> fill;                 // share of the window covered by regions
+    std::optional<Circle> largest_empty_circle; // both only if regions are known
 };
 
-/// The figures of a layout, or of several from one scene with different seeds: gaps of all pooled,
-/// pair correlation and spectrum averaged.
+/// The measurements of one layout, or of several layouts of one scene with different seeds: their
+/// gaps are pooled, their pair correlations and spectra averaged.
 struct AnalysisReport {
     double window_area = 0; // [m^2]
     bool torus = false;
@@ -31,20 +31,20 @@ struct AnalysisReport {
     std::vector<std::string> kind_names;
     std::vector<LayoutFigures> layouts;
 
-    bool has_regions = false; // the next four
+    bool has_regions = false; // whether the next four are set
     Summary gap;              // distance from the free space to the nearest region [m]
     Histogram gap_histogram;
-    Summary neighbour; // distance from a region to the nearest other one [m]
+    Summary neighbour; // distance from a region to the nearest other region [m]
     Histogram neighbour_histogram;
 
     PairCorrelation pair_correlation;
-    std::vector<PairCorrelation> pair_correlation_by_kind; // pairs of one kind
+    std::vector<PairCorrelation> pair_correlation_by_kind; // of pairs of equal kind
     PowerSpectrum spectrum;
     RadialSpectrum radial;
-    std::vector<RadialSpectrum> radial_by_kind; // points of one kind, in the same annuli
+    std::vector<RadialSpectrum> radial_by_kind; // of the points of each kind, in the same annuli
 };
 
-/// Measures layouts of one window; there must be at least one. `seeds` name them.
+/// Measures layouts, at least one, in the same window; `seeds` are their seeds.
 AnalysisReport analyse(std::span<const PlacedRegions> layouts,
                        std::span<const std::uint64_t> seeds);
 

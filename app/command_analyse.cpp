@@ -21,7 +21,7 @@ struct AnalyseOptions {
     int seeds = 1;
 };
 
-// Aggregates of all seeds: one list per seed, of the generators that have a domain.
+// For each seed, the aggregates that have a domain.
 using Runs = std::vector<std::vector<Aggregate>>;
 
 std::vector<Aggregate> with_domain(std::vector<Aggregate> aggregates) {
@@ -55,7 +55,7 @@ Runs runs_of(const AnalyseOptions& options, SceneRun& run) {
     return bake_seeds(options, run);
 }
 
-// "report.png" for the first, then "report-2.png".
+// "report.png" for index 0, then "report-2.png".
 std::string sheet_name(const std::string& output, std::size_t index) {
     const std::string stem = output.substr(0, output.size() - extension(output).size() - 1);
     return index == 0 ? stem + ".png" : fmt::format("{}-{}.png", stem, index + 1);

@@ -31,15 +31,15 @@ const ImagePart* find_part(const ExrFile& file, const std::string& name) {
 struct Difference {
     double rmse = 0;
     double largest = 0;
-    int x = 0; // where it is largest
+    int x = 0; // pixel with the largest difference
     int y = 0;
-    double mean_z2 = 0; // mean squared difference over its variance; 1 where only noise differs
+    double mean_z2 = 0; // mean of squared difference / variance; 1 if only the noise differs
     bool has_variance = false;
     bool same_bits = true;
 };
 
-// Both pictures' variance parts hold the variance of the pixel's mean, so (a - b)^2 over their sum
-// has mean 1 where the pictures differ by noise alone.
+// The variance parts of both pictures hold the variance of each pixel's mean, so (a - b)^2 divided
+// by their sum has mean 1 when the pictures differ by noise only.
 Difference compare(const ExrFile& file_a, const ExrFile& file_b) {
     const Image& a = file_a.parts.front().image;
     const Image& b = file_b.parts.front().image;

@@ -22,8 +22,8 @@ struct HeightOptions {
     bool vector = false;
 };
 
-/// The aggregate whose map is asked for. Throws Error when there is none, or not that many, or
-/// several and none was named.
+/// The aggregate whose height map is requested. Throws Error when there is none, when the index is
+/// too large, and when there are several and no index is given.
 const Aggregate& chosen(const std::vector<Aggregate>& aggregates, const HeightOptions& options) {
     std::vector<const Aggregate*> maps;
     for (const Aggregate& aggregate : aggregates)
@@ -45,7 +45,7 @@ const Aggregate& chosen(const std::vector<Aggregate>& aggregates, const HeightOp
     return *maps[std::size_t(options.index == 0 ? 0 : options.index - 1)];
 }
 
-/// The heights in grey, the lowest black and the highest white.
+/// The heights as a grey picture, the lowest black and the highest white.
 Image picture_of(Image picture, float low, float high) {
     for (float& v : picture.pixels)
         v = high > low ? (v - low) / (high - low) : 0.5F;

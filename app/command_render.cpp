@@ -78,7 +78,7 @@ std::string output_of(const RenderCommand& command) {
 
 std::string png_beside(const std::string& exr) { return exr.substr(0, exr.size() - 3) + "png"; }
 
-// What made the picture.
+// The provenance of the picture, and the options that it was rendered with.
 Metadata metadata_of(const Scene& scene, const RenderCommand& command) {
     std::string seeds;
     for (const Aggregate& aggregate : scene.aggregates)
@@ -115,13 +115,13 @@ RenderOptions options_of(const RenderCommand& command, const Scene& scene) {
 }
 
 int run_render(const RenderCommand& command) {
-    // All that can be refused is refused before the work.
+    // Everything that can be invalid is checked before rendering.
     const std::string output = output_of(command);
     check_aovs(command.aovs);
     check_writable(output);
     if (!command.stats.empty())
         check_writable(command.stats);
-    to_display(Image(1, 1, {"R", "G", "B"}), command.view); // an unknown view, an unreadable $OCIO
+    to_display(Image(1, 1, {"R", "G", "B"}), command.view); // throws for an unknown view or $OCIO
 
     SceneRun run(command.scene);
     Session& session = run.session;

@@ -49,7 +49,7 @@ std::string channel_word(TextureChannel channel) {
     }
 }
 
-/// 8-bit files hold colours display-encoded, and numbers as they are, marked as such.
+/// Colours are display-encoded; other channels are stored unchanged and marked as raw.
 void write_texture_png(const std::string& path, Image image, TextureChannel channel) {
     if (channel != TextureChannel::color) {
         write_png(path, image, {{"oiio:ColorSpace", "raw"}});
@@ -76,7 +76,7 @@ bool is_somewhere(std::span<const Image> images, float value) {
     });
 }
 
-// What the procedural does not give makes an empty map: say so.
+// Throws or warns when the procedural does not provide the channel, so that the map is empty.
 void check_channel(const TextureJob& job, std::span<const Image> images) {
     const TextureChannel channel = job.request.channel;
     const bool number = channel == TextureChannel::height || channel == TextureChannel::value;
@@ -90,7 +90,7 @@ void check_channel(const TextureJob& job, std::span<const Image> images) {
                                     channel_word(channel)));
 }
 
-/// What `make` says is wrong with the mesh, with its name and place in the script.
+/// Returns what `make` returns. Its errors about the mesh get the mesh's name and location.
 template <class Make>
 auto about_mesh(const TextureJob& job, const std::string& hint, const Make& make) {
     try {
@@ -151,7 +151,7 @@ void bake_uv(TextureJob& job) {
     }
 }
 
-// The slices' geometry in the object's frame, so that programs can put them back.
+// The slices' geometry in object space, so that other programs can reassemble them.
 HeaderNumbers stack_numbers(const SliceStack& stack) {
     const auto numbers = [](const Imath::V3d& v) {
         return std::vector<float>{float(v.x), float(v.y), float(v.z)};
@@ -222,7 +222,7 @@ void check_fills_space(const TextureSubject& subject, TextureMap map) {
                                      "use --map uv");
 }
 
-/// In place of what need not be made.
+/// A placeholder for items that need not be baked.
 std::shared_ptr<const SceneItem> nothing() {
     return std::make_shared<const SceneItem>(
         SceneItem{"object", [](const Context&, std::uint64_t) { return Aggregate{}; }});
@@ -248,7 +248,7 @@ int bake_texture(const TextureOptions& options) {
     const Scene scene = session.bake(std::move(draft));
     TextureSubject subject = texture_subject(options.scene.path, scene, options.object);
     check_fills_space(subject, request.map);
-    if (!options.scene.device.empty()) // the host is faster than PoCL, unless asked for
+    if (!options.scene.device.empty()) // only on request, since the host is faster than PoCL
         subject.source.device = session.device();
     const Context context = session.context("texture");
     Metadata metadata = provenance(scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One file per command; each declares its options and hands back what to run.
+// The subcommands, one file each. Each declares its options and sets what to run.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@ class App;
 
 namespace scree {
 
-/// What main runs once the command line is understood; returns the exit code.
+/// The function that main runs after parsing the command line; returns the exit code.
 using Run = std::function<int()>;
 
 void add_render_command(CLI::App& app, Run& run);

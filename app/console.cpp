@@ -16,8 +16,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double bar_interval_s = 0.1;
-constexpr double line_interval_s = 5;        // where no bar can be drawn, a line now and then,
-constexpr double line_interval_growth = 0.2; // and less often in long work
+constexpr double line_interval_s = 5;        // between lines when not on a terminal, or
+constexpr double line_interval_growth = 0.2; // this share of the elapsed time if that is more
 constexpr int bar_width = 24;
 
 std::atomic<Cancel*> interrupted = nullptr;
@@ -56,7 +56,7 @@ void Console::progress(const std::string& what, double fraction, const std::stri
         started_ = Clock::now();
         last_shown_ = Clock::now();
         if (!terminal_)
-            return; // short work needs no line
+            return; // a short stage needs no line
     } else {
         const double interval =
             terminal_ ? bar_interval_s

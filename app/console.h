@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// What a user watches on stderr: a bar on a terminal, plain lines otherwise, nothing when quiet.
+/// Progress on stderr: a bar on a terminal, plain lines otherwise, nothing when quiet.
 class Console final : public Watcher {
   public:
     explicit Console(bool quiet);
@@ -20,7 +20,7 @@ class Console final : public Watcher {
     void say(const std::string& line) override;
     void progress(const std::string& what, double fraction, const std::string& detail) override;
 
-    /// Takes the bar away.
+    /// Removes the bar.
     void clear();
 
   private:
@@ -32,8 +32,8 @@ class Console final : public Watcher {
     std::chrono::steady_clock::time_point started_;
 };
 
-/// Makes Ctrl-C (and SIGTERM) request `cancel` instead of ending the program; a second Ctrl-C ends
-/// it at once. One at a time.
+/// While it exists, Ctrl-C (or SIGTERM) requests `cancel` instead of ending the program; a second
+/// Ctrl-C ends the program at once. Only one may exist at a time.
 class InterruptGuard {
   public:
     explicit InterruptGuard(Cancel& cancel);

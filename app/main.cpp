@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program: understands the command line, runs one command, turns errors into exit codes.
+// The program: parses the command line, runs one command, and maps errors to exit codes.
 #include "app/commands.h"
 #include "core/error.h"
 #include "core/progress.h"
@@ -14,7 +14,7 @@
 namespace scree {
 namespace {
 
-constexpr int exit_internal = 70; // sysexits.h EX_SOFTWARE: our own mistake, not the user's
+constexpr int exit_internal = 70; // sysexits.h EX_SOFTWARE: a programming error
 constexpr int exit_cancelled = 130;
 
 const CLI::App& innermost(const CLI::App& app) {
@@ -41,7 +41,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
     return names;
 }
 
-// CLI11 says only that an argument was not expected; name the nearest one that would have been.
+// CLI11 reports only that an argument was not expected; this names the nearest valid one.
 Error unknown_argument(const CLI::App& app) {
     const CLI::App& command = innermost(app);
     const std::vector<std::string> extras = app.remaining(true);
@@ -59,7 +59,8 @@ Error unknown_argument(const CLI::App& app) {
     return Error::usage("unknown command " + given, did_you_mean(given, commands));
 }
 
-// `test` and `bench` need the source tree; the launcher of a checkout handles them before us.
+// `test` and `bench` need the source tree: the launcher script of a checkout handles them before
+// this program is started.
 void add_launcher_commands(CLI::App& app, Run& run) {
     for (const auto& [name, what] :
          {std::pair{"test", "Build and run the tests (from a checkout: ./scree test)."},
@@ -100,7 +101,7 @@ int run_command_line(int argc, char** argv) {
         if (problem.get_exit_code() == 0)
             return app.exit(problem); // --help, --version
         if (has_unknown_option(app))
-            throw unknown_argument(app); // what made another one missing
+            throw unknown_argument(app); // it may be why another argument is missing
         const std::string name = command_name(innermost(app));
         throw Error::usage(fmt::format("{}: {}", name, problem.what()),
                            fmt::format("see {} --help", name));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parameters' one declaration as text for people.
+// Reference documentation generated from the declarations of parameters.
 #pragma once
 
 #include "session/catalog.h"
@@ -9,16 +9,16 @@
 
 namespace scree {
 
-/// "mesh.banana"; a family of one, such as scene, is its own name.
+/// "mesh.banana", or only the name for a row without family, such as "scene".
 std::string full_name(const CatalogRow& row);
 
-/// Every plug-in with its one sentence, a line each, by family.
+/// Every plug-in with its description, one line each, by family.
 std::string plugin_overview(std::span<const CatalogRow> rows);
 
 /// One plug-in with all its parameters.
 std::string plugin_details(const CatalogRow& row);
 
-/// docs/reference.md.
+/// The content of docs/reference.md.
 std::string reference_markdown(std::span<const CatalogRow> rows);
 
 } // namespace scree

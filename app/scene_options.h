@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all commands that work on a scene have in common.
+// Shared by all commands that read a scene.
 #pragma once
 
 #include "app/console.h"
@@ -20,10 +20,10 @@ struct SceneOptions {
     bool quiet = false;
 
     void add_to(CLI::App& command);
-    SessionOptions session() const; // throws Error (usage) on a --set that is no name=value
+    SessionOptions session() const; // throws Error (usage) when a --set is not name=value
 };
 
-/// What one run of such a command works with. Ctrl-C requests its `cancel`.
+/// The objects that one run of such a command needs. Ctrl-C requests `cancel`.
 struct SceneRun {
     explicit SceneRun(const SceneOptions& options)
         : console(options.quiet), guard(cancel), session(options.session(), console, cancel) {}

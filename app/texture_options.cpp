@@ -14,14 +14,14 @@ namespace scree {
 
 namespace {
 
-// In the order of the enumerations.
+// Names in the order of their enumerations.
 const std::vector<std::string> map_names{"uv", "slices", "volume"};
 const std::vector<std::string> texture_channels{"color", "height", "roughness", "value", "normal"};
 const std::vector<std::string> axis_names{"x", "y", "z"};
 const std::vector<std::string> texture_endings{"png", "exr", "vdb"};
 
-constexpr int largest_picture = 16384; // pixels of a side
-constexpr int largest_volume = 1024;   // voxels of a side
+constexpr int largest_picture = 16384; // pixels per side
+constexpr int largest_volume = 1024;   // voxels per side
 
 int texture_choice(const std::string& option, const std::string& given,
                    const std::vector<std::string>& names) {

@@ -8,18 +8,18 @@ namespace scree {
 
 enum class TextureMap { uv, slices, volume };
 
-/// What `scree texture` is asked for, checked.
+/// The checked options of `scree texture`.
 struct TextureRequest {
     TextureMap map = TextureMap::uv;
     TextureChannel channel = TextureChannel::color;
     std::string ending; // of the file: png, exr, vdb
-    int width = 0;      // pixels; voxels along the longest side
-    int height = 0;     // 0: it follows
+    int width = 0;      // [pixels]; for a volume, voxels along the longest side
+    int height = 0;     // [pixels]; 0: chosen for square pixels
     int slices = 8;
     int axis = 2; // x, y or z
 };
 
-/// The options as they are typed.
+/// The options as typed.
 struct TextureOptions {
     SceneOptions scene;
     std::string output;
@@ -33,7 +33,7 @@ struct TextureOptions {
 
     void add_to(CLI::App& command);
 
-    /// Throws Error (usage) for what cannot be, or cannot be together.
+    /// Throws Error (usage) for invalid options and invalid combinations.
     TextureRequest request() const;
 };
 

@@ -16,7 +16,7 @@ namespace scree::bench {
 
 namespace {
 
-// Bullet wants things about as large as a metre: a component is one unit long.
+// Bullet works best with bodies of about one metre, so a component is scaled to length 1.
 std::unique_ptr<btConvexHullShape> hull_of(const Mesh& mesh) {
     const Box3 box = bounds(mesh);
     const Vec3 size = box.size();
@@ -27,7 +27,7 @@ std::unique_ptr<btConvexHullShape> hull_of(const Mesh& mesh) {
         all.addPoint(btVector3(q.x, q.y, q.z), false);
     }
     all.recalcLocalAabb();
-    btShapeHull hull(&all); // to 42 points
+    btShapeHull hull(&all); // reduces it to 42 points
     hull.buildHull(0);
     auto shape = std::make_unique<btConvexHullShape>();
     for (int i = 0; i < hull.numVertices(); ++i)
@@ -37,7 +37,7 @@ std::unique_ptr<btConvexHullShape> hull_of(const Mesh& mesh) {
     return shape;
 }
 
-/// A world, a box open above, and the bodies in it.
+/// A world with bodies in a box that is open at the top.
 class Heap {
   public:
     Heap(const Mesh& mesh, int count) : shape_(hull_of(mesh)) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of generator.elements: points per second on one core against their number, how many of
+// Benchmarks of generator.elements: points per second on one core by number of points, how many of
 // a million random darts still fit, small sets and refilled holes, table 1 of Kita & Miyata (2012),
-// and other programs that do the same. CPU seconds of the whole process, medians of five, or of as
-// many as take less than 12 s.
-//   elements_bench [modes|small|table|peers ...]     all unless named
+// and other programs for the same task. CPU seconds of the whole process; medians of five runs, or
+// of fewer when they take more than 12 s.
+//   elements_bench [modes|small|table|peers ...]     all by default
 #include "bench/measure.h"
 #include "bench/peers.h"
 #include "bench/tables.h"
@@ -25,7 +25,7 @@ using namespace scree;
 
 constexpr std::size_t darts = 1000000;
 
-/// A way to fill the unit square; axes are relative.
+/// A kind of sample set in the unit square; axes are relative.
 struct Kind {
     std::string name;
     std::vector<DiskClass> classes;
@@ -64,17 +64,17 @@ PoissonDiskProblem problem_of(const Kind& kind, double size, std::uint64_t seed)
     return problem;
 }
 
-/// The size with which about `count` samples fill the square.
+/// The size at which about `count` samples fill the square.
 double size_for(const Kind& kind, double count) {
     double size = 0.02;
-    for (int i = 0; i < 2; ++i) // the border counts less when there are more
+    for (int i = 0; i < 2; ++i) // iterated, since the border effect depends on the size
         size *=
             std::sqrt(double(sample_poisson_disks(problem_of(kind, size, 99), {}).samples.size()) /
                       std::min(count, i == 0 ? 20000. : count));
     return size;
 }
 
-/// Random darts that conflict with no sample.
+/// The number of random darts that conflict with no sample.
 std::size_t count_fitting(const PoissonDiskProblem& problem,
                           const std::vector<DiskSample>& samples) {
     const tests::DiskSet set(problem, samples);
@@ -88,7 +88,7 @@ std::size_t count_fitting(const PoissonDiskProblem& problem,
     return fitting;
 }
 
-/// Of the closest packing of as many points (Lagae & Dutre 2008).
+/// The radius relative to that of the densest packing of as many points (Lagae & Dutre 2008).
 double relative_radius(double radius, std::size_t count) {
     return radius / std::sqrt(2 / (std::sqrt(3) * double(count)));
 }

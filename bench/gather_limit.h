@@ -8,16 +8,16 @@
 
 namespace scree::bench {
 
-/// One way in which this machine can fetch 32-bit words from eight places of a table a sample.
+/// One way in which this machine can load 32-bit words from eight places of a table per sample.
 struct Gather {
     std::string name;
-    /// The sum of table[first + offset] over the eight offsets, for every sample; lengths are
-    /// multiples of 16.
+    /// Computes the sum of table[first + offset] over the eight offsets for every sample. Lengths
+    /// are multiples of 16.
     void (*run)(std::span<const float> table, std::span<const std::int32_t> first,
                 const std::int32_t (&offsets)[8], std::span<float> out);
 };
 
-/// All that this machine has; scalar loads are the last.
+/// All ways that this machine supports; scalar loads are the last.
 std::vector<Gather> gathers();
 
 } // namespace scree::bench

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of generator.layout: overlap queries, the methods side by side, the paper's figures 5,
-// 7, 10 and 11 and its table 1, and growth with the number of elements. One run, one thread unless
-// stated, medians of five.
-//   layout_bench [queries|methods|figures|candidates|table|growth ...]     all unless named
+// Benchmarks of generator.layout: overlap queries, comparison of the methods, the paper's figures
+// 5, 7, 10 and 11 and its table 1, and scaling with the number of elements. One thread unless
+// stated; medians of five runs.
+//   layout_bench [queries|methods|figures|candidates|table|growth ...]     all by default
 #include "bench/measure.h"
 #include "bench/tables.h"
 #include "core/device.h"
@@ -42,7 +42,7 @@ struct Shape {
     Range scale{1, 1};
 };
 
-/// A crown over a trunk as the paper's trees project: a lobed outline.
+/// A lobed outline, as that of the paper's trees seen from above.
 Ring tree_ring(double radius, int lobes) {
     Ring ring;
     for (int i = 0; i < 6 * lobes; ++i) {
@@ -60,8 +60,8 @@ std::vector<Shape> shapes() {
             {"square", {rectangle_ring(1, 1)}}};
 }
 
-/// The paper's table 1: its components are not printed as numbers; these are concave ones of three
-/// kinds, on domains of about its counts.
+/// Cases like those of the paper's table 1. The paper does not give its components as numbers;
+/// these are concave ones of three kinds, in domains that give about its counts.
 std::vector<Shape> table_cases() {
     return {{"(a) E1: L", {l_ring(1, 0.3)}, 20.5},
             {"(b) E2: U", {u_ring(1, 0.25)}, 10.2},
@@ -91,11 +91,11 @@ double fill_of(const LayoutProblem& problem, const Placements& placements) {
     return sum / area(problem.domain.region());
 }
 
-/// Pairs as a trial in a filled domain meets them: circumscribed circles that overlap.
+/// Pairs with overlapping circumscribed circles, as tested in trials in a filled domain.
 void print_queries(const Shape& s) {
     const CollisionShape shape(triangulate({s.rings[0]}));
     struct Pair {
-        Pose a, b;
+        FigurePose a, b;
         Vec2 offset;
     };
     std::vector<Pair> pairs;
@@ -103,7 +103,8 @@ void print_queries(const Shape& s) {
     while (pairs.size() < 4096) {
         const Vec2 offset(random.uniform(-2, 2) * shape.radius(),
                           random.uniform(-2, 2) * shape.radius());
-        const Pose a(offset, random.uniform(0, 2 * pi), 1), b({0, 0}, random.uniform(0, 2 * pi), 1);
+        const FigurePose a(offset, random.uniform(0, 2 * pi), 1),
+            b({0, 0}, random.uniform(0, 2 * pi), 1);
         if (offset.length() < 2 * shape.radius())
             pairs.push_back({a, b, offset});
     }
@@ -127,7 +128,7 @@ struct Row {
     double count = 0, fill = 0, seconds = 0, trials = 0, rate = 0;
 };
 
-/// Medians over runs of other seeds; `fill` returns the trials.
+/// Medians over runs with different seeds; `fill` returns the number of trials.
 Row measure(const Shape& shape, const auto& fill, Inside inside = Inside::whole) {
     std::vector<double> counts, fills, seconds, trials;
     for (int run = 0; run < runs; ++run) {
@@ -195,7 +196,7 @@ void print_methods(const Shape& shape, Device* device) {
         million);
 }
 
-/// On a torus as RSA3D has it, without a border's losses.
+/// On a torus, as in RSA3D, without losses at a border.
 void print_torus_fill(const Shape& shape) {
     Shape large = shape;
     large.domain = 40;
@@ -210,7 +211,7 @@ void print_torus_fill(const Shape& shape) {
                shape.name, row.count, row.fill, row.rate);
 }
 
-/// Figures 5 and 7: elements and time against the consecutive cancellations that end it.
+/// Figures 5 and 7: elements and time by the number of consecutive rejections that ends the run.
 void print_cancellations(const Shape& shape) {
     for (const std::uint64_t cancellations : {50, 200, 500, 1000, 2000, 5000, 7000, 10000}) {
         const Row row = measure(shape, [&](const LayoutProblem& problem, Placements& placements) {
@@ -221,8 +222,8 @@ void print_cancellations(const Shape& shape) {
     }
 }
 
-/// Figures 10 and 11: how many points Q each exponent yields, and how far they lie from what is
-/// placed, as a share of the largest distance.
+/// Figures 10 and 11: the number of points Q for each exponent, and their distance from placed
+/// elements as a share of the largest distance.
 void print_candidates() {
     const Shape shape = shapes()[0];
     const LayoutProblem problem = problem_of(shape, shape.domain, 1);
@@ -248,7 +249,7 @@ void print_candidates() {
     }
 }
 
-/// Table 1 and figure 1(b); the paper's numbers beside ours.
+/// Table 1 and figure 1(b), with the paper's numbers.
 void print_table() {
     struct Paper {
         double fill_gap_seconds, fill_gap_count, naive_seconds, naive_count;
@@ -280,7 +281,7 @@ void print_table() {
     }
 }
 
-/// Three concave kinds at once, with all threads, saturated at 2%.
+/// Three concave kinds together, on all threads, saturated at 2%.
 void print_growth() {
     const Shape mixed = table_cases().back();
     double first = 0;

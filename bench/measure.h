@@ -7,7 +7,8 @@
 
 namespace scree {
 
-/// CPU seconds that the whole process spends on the work, so that a busy machine shows less.
+/// CPU seconds that the whole process spends on the work; less affected by other load than wall
+/// time.
 double cpu_seconds_of(const auto& work) {
     const auto now = [] {
         timespec time{};
@@ -19,7 +20,7 @@ double cpu_seconds_of(const auto& work) {
     return now() - start;
 }
 
-/// The middle one, of an even number the higher of the two; there must be one.
+/// The median; of an even number of values the upper one. `values` must not be empty.
 inline double median(std::vector<double> values) {
     std::ranges::sort(values);
     return values[values.size() / 2];

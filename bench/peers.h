@@ -9,22 +9,22 @@
 
 namespace scree::bench {
 
-/// Another program that fills the unit square with points that keep a distance.
+/// Another program that fills the unit square with Poisson-disk samples.
 struct Peer {
     std::string name;
-    std::string command; // to which the distance is appended
-    int most = 0;        // points that it is asked for: minutes otherwise
+    std::string command; // the distance is appended
+    int most = 0;        // maximum number of points, so that it does not take minutes
 };
 
 std::vector<Peer> elements_peers();
 
-/// What it returned, and the CPU seconds that it measured itself, start-up excluded.
+/// Its points, and the CPU seconds that it measured itself, without start-up.
 struct PeerRun {
     double seconds = 0;
     std::vector<Vec2> points; // in the unit square
 };
 
-/// Nothing when it is not installed.
+/// Runs it; empty when it is not installed.
 std::optional<PeerRun> run(const Peer& peer, double radius);
 
 } // namespace scree::bench

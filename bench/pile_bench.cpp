@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of generator.pile: the rows of table 4.1 (Sakurai 2013) by the thesis's method and by
-// ours, overlap on the true meshes, growth, and Bullet beside ours.
-//   pile_bench [table|overlap|growth|peers] [--dragon FILE.ply]     all unless named
+// Benchmarks of generator.pile: the rows of table 4.1 (Sakurai 2013) by the thesis's method and by
+// ours, overlap of the meshes, scaling with the number of elements, and comparison with Bullet.
+//   pile_bench [table|overlap|growth|peers] [--dragon FILE.ply]     all by default
 // CPU seconds of the whole process, and wall seconds on all cores.
 #include "bench/bullet_heap.h"
 #include "bench/measure.h"
@@ -44,7 +44,7 @@ Run bake(const std::string& name, const Overrides& overrides) {
 
 struct Row {
     const char* figure;
-    int count;      // in print
+    int count;      // in the thesis
     double seconds; // with a GTX 570
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Path tracing of a heap of many instances: how much of the time is Embree's own?
+// Path tracing of a heap of many instances: which share of the time is spent in Embree?
 //   render_bench [mesh.obj] [runs] [samples]
 #include "bench/measure.h"
 #include "render/render.h"
@@ -47,8 +47,8 @@ Aggregate scatter(std::shared_ptr<const Mesh> mesh) {
     return aggregate;
 }
 
-// Rays per CPU second of Embree and nothing else: diffuse bounces off what the camera sees, made
-// beforehand, in tile order as the renderer asks them.
+// Rays per CPU second of Embree alone. The rays are diffuse bounces off the visible surfaces,
+// generated in advance, in the renderer's tile order.
 double bare_rays_per_second(const World& world, const Camera& camera, const FilmSettings& film) {
     const CameraRays rays_of(camera, film.width, film.height);
     std::vector<Ray> rays;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of solid textures: making lattices, and evaluations a second against what the
-// machine's gathers allow. One thread, CPU time, medians of several runs in turns.
-//   solid_bench [lattices|throughput ...]     all unless named
+// Benchmarks of solid textures: construction of lattices, and evaluations per second compared with
+// the limit set by the machine's gathers. One thread, CPU time, medians of interleaved runs.
+//   solid_bench [lattices|throughput ...]     all by default
 #include "bench/gather_limit.h"
 #include "bench/measure.h"
 #include "bench/solid_pictures.h"
@@ -25,10 +25,11 @@ using namespace scree;
 
 constexpr int runs = 15;
 
-/// Work that is measured beside others, one run of each in turn, so that all meet the same machine.
+/// Work to measure. The runs of all rows are interleaved, so that changes of the machine's load
+/// affect them equally.
 struct Row {
     std::string name;
-    std::string path; // of vector_paths(), where that matters
+    std::string path; // one of vector_paths(), if it matters
     std::function<void()> work;
     std::vector<double> seconds = {};
 };
@@ -53,7 +54,7 @@ LatticeSettings settings_of(int levels, bool sixteen_bit) {
     return settings;
 }
 
-/// Making a lattice, against writing as many floats into new memory.
+/// Construction of a lattice, compared with writing as many floats into new memory.
 void print_lattices() {
     fmt::print("{:6} {:12} {:>10} {:>10} {:>12}\n", "nodes", "path", "ms", "ns/node", "of filling");
     for (const int levels : {6, 7, 8}) {
@@ -76,8 +77,8 @@ void print_lattices() {
     }
 }
 
-/// As many places of the unit cube as stay in the second cache with what is found there: rows of a
-/// slice of 512^2 pixels, or anywhere.
+/// Points of the unit cube, few enough to stay in the L2 cache with their results: rows of a slice
+/// of 512^2 pixels, or random points.
 struct Points {
     static constexpr int width = 512, rows = 32;
     std::vector<float> x, y, z;
@@ -97,7 +98,7 @@ struct Points {
     std::size_t size() const { return x.size(); }
 };
 
-/// Six veins at uneven places, of the diffusion that Fig. 10 shows.
+/// Six irregularly placed veins with the diffusion of fig. 10.
 std::vector<solid::Vein> six_veins() {
     std::vector<solid::Vein> veins;
     for (const float centre : {0.08F, 0.22F, 0.41F, 0.55F, 0.73F, 0.91F}) {
@@ -110,7 +111,8 @@ std::vector<solid::Vein> six_veins() {
     return veins;
 }
 
-/// Evaluations a second, against eight gathers a sample from a table of as many words as nodes.
+/// Evaluations per second, compared with eight gathers per sample from a table with as many words
+/// as there are nodes.
 void print_throughput() {
     for (const int levels : {6, 7})
         for (const bool coherent : {true, false}) {

@@ -41,7 +41,7 @@ class Picture {
     std::unique_ptr<World> world_;
 };
 
-/// Of the green channel.
+/// The root mean square difference of the green channel.
 double rms_difference(const Image& one, const Image& other) {
     double sum = 0;
     for (int y = 0; y < one.height; ++y)
@@ -53,7 +53,7 @@ double rms_difference(const Image& one, const Image& other) {
 } // namespace
 
 void print_antialiasing() {
-    // "Levels left out": of the lattice's six as many as a pixel does not resolve.
+    // "Levels left out": without those of the lattice's six levels that a pixel does not resolve.
     constexpr double size = 0.1;
     constexpr int lattice_levels = 6, side = 24, pixels = 2000;
     const auto marble = [&](int levels, bool filtered) {
@@ -108,7 +108,7 @@ void print_floor() {
     Picture points("bench/scenes/solid_floor.lua", {{"filtered", "no"}});
     Picture filtered("bench/scenes/solid_floor.lua", {{"filtered", "yes"}});
     RenderOptions options;
-    options.mis = Mis::bsdf_only; // under an even sky: no noise but the texture's
+    options.mis = Mis::bsdf_only; // under a uniform sky only the texture causes noise
     options.samples = 1;
     const Image first = points.render(options).film.beauty();
     int horizon = 0;
@@ -162,7 +162,7 @@ void print_table_1() {
     for (const Figure& figure : figures) {
         double made = 0;
         std::array<double, 2> seconds{};
-        // Marble and wood stand in one picture; of figure 12 it is marble alone.
+        // Marble and wood are in one picture; figure 12 has marble only.
         std::unique_ptr<Picture> picture;
         made = cpu_seconds_of([&] {
             picture =

@@ -3,14 +3,14 @@
 
 namespace scree::bench {
 
-/// Root mean square errors of one answer a pixel: at a point, with the fractal's fine levels left
-/// out, and filtered; against 576 points a pixel.
+/// Root mean square errors of one evaluation per pixel, compared with 576 points per pixel:
+/// unfiltered, with the fine levels of the fractal left out, and filtered.
 void print_antialiasing();
 
-/// The far end of a marble floor through the renderer, 4 samples a pixel against 1,024.
+/// The renderer's error at the far end of a marble floor: 4 samples per pixel compared with 1,024.
 void print_floor();
 
-/// What a texture adds to the CPU time of rendering a ball that fills the picture.
+/// The CPU time that a texture adds to rendering a ball that fills the picture.
 void print_shading();
 
 /// Okada et al.'s (1987) table 1 and our times for the same figures.

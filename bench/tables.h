@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all benches do with their command line.
+// The command line of all benches.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,14 +12,14 @@
 
 namespace scree::bench {
 
-/// One of a bench's tables.
+/// A table of a bench.
 struct Table {
     std::string name;
-    std::string what; // one line
+    std::string what; // description, one line
     std::function<void()> print;
 };
 
-/// Prints the tables that are named, or all; `--help` lists them. Returns the exit code.
+/// Prints the tables named on the command line, or all; `--help` lists them. Returns the exit code.
 inline int run_tables(int count, char** arguments, const std::vector<Table>& tables) {
     std::setvbuf(stdout, nullptr, _IOLBF, 0); // lines appear as they are measured
     const std::vector<std::string> named(arguments + 1, arguments + count);

@@ -11,26 +11,27 @@
 
 namespace scree {
 
-/// Which point of a text lies at the place it is drawn at.
+/// Which point of a text's baseline lies at the given position.
 enum class Align { left, centre, right };
 
 class Coverage;
 
 /// A picture to draw on. Coordinates are pixels with (0, 0) at the top left corner of the picture.
-/// Edges are smoothed by the exact area that a shape covers of each pixel. Colours are mixed as
-/// they are given: display-encoded (sRGB) for plots, linear to put pictures over each other.
+/// Edges are anti-aliased by the exact area of each pixel that a shape covers. Colours are blended
+/// without conversion: give display-encoded (sRGB) ones for plots, linear ones to composite
+/// pictures.
 class Canvas {
   public:
     Canvas(int width, int height, const Color& paper);
 
-    /// Without paper: R, G, B multiplied by A, all 0.
+    /// A transparent canvas: R, G, B premultiplied by A, all 0.
     Canvas(int width, int height);
 
-    /// Fills rings whose outer ones turn one way and whose holes turn the other; rings may meet
-    /// but not overlap.
+    /// Fills a polygon with holes. Holes wind opposite to outer rings; rings may touch but not
+    /// overlap.
     void fill(std::span<const Ring> rings, const Color& color, double opacity = 1);
 
-    /// Puts a picture over what is there, filtered where it is turned, shrunk or grown.
+    /// Composites a picture over the canvas, filtered where it is rotated or scaled.
     void draw(const PictureFilter& picture, const PicturePlace& place);
 
     /// Lines of `width` pixels with round joints and ends.
@@ -39,12 +40,12 @@ class Canvas {
     void line(const Vec2& a, const Vec2& b, double width, const Color& color);
 
     /// A line of text whose baseline starts, is centred, or ends at `at`; `size` is the height of
-    /// a line in pixels. `upwards` turns it by a quarter to the left. Throws Error (resource)
-    /// where the font is not installed.
+    /// a line in pixels. `upwards` rotates the text by 90 degrees so that it reads upwards. Throws
+    /// Error (resource) when the font is not installed.
     void text(const Vec2& at, const std::string& text, double size, const Color& color,
               Align align = Align::left, bool upwards = false);
 
-    /// Nothing is drawn outside this box until it is set again.
+    /// Restricts drawing to this box until `clip` or `clip_nothing` is called.
     void clip(const Box2& box);
     void clip_nothing();
 
@@ -59,8 +60,8 @@ class Canvas {
     Box2 clip_;
 };
 
-/// The text's coverage in one channel "A", cropped to its ink; the pixel at (`left`, `top`)
-/// relative to the start of its baseline is the image's first.
+/// The text's coverage in one channel "A", cropped to its ink. The image's top left pixel lies at
+/// (`left`, `top`) relative to the start of the baseline.
 struct TextMask {
     Image image;
     int left = 0;
@@ -68,10 +69,10 @@ struct TextMask {
 };
 TextMask text_mask(const std::string& text, double size);
 
-/// A colour as the display shows it: IEC 61966-2-1 applied to clamped linear Rec. 709.
+/// The display-encoded colour: IEC 61966-2-1 (sRGB) applied to clamped linear Rec. 709.
 Color display_color(const Color& linear);
 
-/// Display colours that are easy to tell apart, for the parts of a whole; they repeat after ten.
+/// A categorical palette of ten display-encoded colours that are easy to tell apart; it repeats.
 Color palette_color(std::size_t index);
 
 /// A circle as a ring of `segments` points.

@@ -7,11 +7,12 @@ namespace scree {
 
 class Device;
 
-/// What long work may use beside its own parameters. The seed is a parameter of each generator.
+/// What a long computation is given beside its own parameters. The seed is not here: it is a
+/// parameter of each generator.
 struct Context {
-    Device* device = nullptr;       // null: data-parallel fields run as plain C++ on the host
+    Device* device = nullptr;       // null: kernels run as C++ on the host
     const Cancel* cancel = nullptr; // null: cannot be cancelled
-    Progress progress{};            // empty: nobody watches
+    Progress progress{};            // empty: not reported
 
     void check_cancel() const {
         if (cancel != nullptr)

@@ -38,9 +38,9 @@ void Coverage::add_edge(Vec2 a, Vec2 b) {
     }
 }
 
-// An edge inside one row: each pixel it crosses gets its share of the height, split by where in
-// the pixel it crosses. What lies to the left of the box covers all of the row, what lies to the
-// right nothing.
+// Adds the part of an edge that lies within one row. Each pixel that it crosses gets its share of
+// the height, split by the mean x of the crossing. A part to the left of the box covers the whole
+// row, a part to the right covers nothing.
 void Coverage::add_span(int row, double x0, double x1, double height_share) {
     x0 -= left_;
     x1 -= left_;

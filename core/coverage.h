@@ -8,15 +8,15 @@
 
 namespace scree {
 
-/// How much of each pixel of a box some rings cover: the signed area that edges cover, as
-/// differences along each row, whose running sum is the winding number averaged over each pixel
+/// The share of each pixel's area that a set of rings covers. Every edge adds its signed area as
+/// differences along each row; their running sum is the winding number averaged over each pixel
 /// (the scheme of R. Levien's font-rs, 2016).
 class Coverage {
   public:
-    /// Of the pixels that `box` touches within `clip`, both in pixels.
+    /// Covers the pixels that `box` touches within `clip`, both in pixels.
     Coverage(const Box2& box, const Box2& clip);
 
-    /// Rings whose outer ones turn one way and whose holes turn the other.
+    /// Adds one ring. Holes wind opposite to outer rings.
     void add(std::span<const Vec2> ring);
 
     int left() const { return left_; }
@@ -24,7 +24,7 @@ class Coverage {
     int width() const { return width_; } // 0 when nothing lies within the clip
     int height() const { return height_; }
 
-    /// Calls paint(x, share) for every pixel of the row, counted from `top`, that is covered.
+    /// Calls paint(x, share) for every covered pixel of a row; row 0 is at `top`.
     template <class Paint>
     void for_row(int row, const Paint& paint) const {
         const double* difference = &differences_[std::size_t(row) * std::size_t(width_ + 2)];

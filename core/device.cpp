@@ -32,27 +32,32 @@ struct Found {
     std::string driver;   // version of the driver
 };
 
-std::string device_text(cl_device_id id, cl_device_info what) {
+/// A text that OpenCL answers, such as a name: `ask(size, buffer, size_of_it)`.
+template <class Ask>
+std::string answered_text(const Ask& ask) {
     std::size_t size = 0;
-    check(clGetDeviceInfo(id, what, 0, nullptr, &size), "asking a device");
+    check(ask(0, nullptr, &size), "asking for a name");
     std::string text(size, '\0');
-    check(clGetDeviceInfo(id, what, size, text.data(), nullptr), "asking a device");
+    check(ask(size, text.data(), nullptr), "asking for a name");
     text.resize(std::min(text.size(), text.find('\0')));
     return text;
 }
 
+std::string device_text(cl_device_id id, cl_device_info what) {
+    return answered_text([&](std::size_t size, char* text, std::size_t* used) {
+        return clGetDeviceInfo(id, what, size, text, used);
+    });
+}
+
 std::string platform_text(cl_platform_id id, cl_platform_info what) {
-    std::size_t size = 0;
-    check(clGetPlatformInfo(id, what, 0, nullptr, &size), "asking a platform");
-    std::string text(size, '\0');
-    check(clGetPlatformInfo(id, what, size, text.data(), nullptr), "asking a platform");
-    text.resize(std::min(text.size(), text.find('\0')));
-    return text;
+    return answered_text([&](std::size_t size, char* text, std::size_t* used) {
+        return clGetPlatformInfo(id, what, size, text, used);
+    });
 }
 
 std::vector<Found> find_devices() {
     cl_uint platform_count = 0;
-    // The loader reports an error when there is no platform at all; that is an empty list to us.
+    // The loader returns an error when there is no platform; we return an empty list.
     if (clGetPlatformIDs(0, nullptr, &platform_count) != CL_SUCCESS)
         return {};
     std::vector<cl_platform_id> platforms(platform_count);
@@ -129,7 +134,8 @@ Found choose_device(const std::string& wanted) {
     return *chosen;
 }
 
-/// Compiled kernels between runs, one file each. Whatever goes wrong here costs only time.
+/// Keeps compiled kernels between runs, one file each. Failures here are ignored: they only cost
+/// the time to compile.
 class BinaryCache {
   public:
     explicit BinaryCache(std::string key) {
@@ -144,8 +150,8 @@ class BinaryCache {
         key_ = std::move(key);
     }
 
-    /// The whole key stands in front of the binary, so a hash met twice is no harm, and the
-    /// binary's own hash, so that a damaged file never reaches the driver.
+    /// A file holds the whole key, so that a hash collision is noticed, then the hash of the
+    /// binary, so that a damaged binary never reaches the driver, then the binary.
     std::string load() const {
         if (path_.empty())
             return {};
@@ -207,7 +213,7 @@ class Device::Buffer {
     std::size_t bytes_;
 };
 
-/// Opened on first use: starting a driver takes tenths of a second, and most runs need none.
+/// Opened on first use: starting a driver takes tenths of a second, and most runs do not need one.
 struct Device::State {
     std::string wanted;
     Found found{};
@@ -249,7 +255,7 @@ struct Device::State {
 cl_program Device::State::build(const std::string& source) {
     if (const auto program = programs.find(source); program != programs.end())
         return program->second;
-    // No contraction and correctly rounded division: the same bytes on every device.
+    // Without contraction and with correctly rounded division, results are equal on all devices.
     const char* options = "-cl-std=CL1.2 -cl-fp32-correctly-rounded-divide-sqrt";
     cl_device_fp_config precision = 0;
     clGetDeviceInfo(found.id, CL_DEVICE_SINGLE_FP_CONFIG, sizeof precision, &precision, nullptr);

@@ -12,10 +12,10 @@
 
 namespace scree {
 
-/// An OpenCL device with its queue and a cache of compiled kernels: in memory, and on disk under
-/// $XDG_CACHE_HOME/scree (else ~/.cache/scree), where a damaged or unwritable cache only costs
-/// time. PoCL on the CPU is the default; GPUs are used when asked for. Opened on first use, which
-/// is where errors come from: all throw Error (resource). Not thread-safe: one caller at a time.
+/// An OpenCL device with its queue and a cache of compiled kernels, in memory and on disk under
+/// $XDG_CACHE_HOME/scree (otherwise ~/.cache/scree). A damaged or unwritable disk cache is ignored.
+/// PoCL on the CPU is the default; a GPU is used only when asked for. The device is opened on first
+/// use, so any member may throw Error (resource). Not thread-safe: one caller at a time.
 class Device {
   public:
     /// A buffer on the device; freed with its last handle.
@@ -24,7 +24,7 @@ class Device {
     using Argument = std::variant<BufferHandle, std::int32_t, std::uint32_t, std::uint64_t, float>;
 
     /// `name`: "" for the default (PoCL), "cpu", "gpu", an index of `names`, or part of a device's
-    /// name; if there is none such, the first use lists what there is.
+    /// name. When none matches, the error of the first use lists the devices that exist.
     explicit Device(const std::string& name = "");
     ~Device();
     Device(Device&&) noexcept;
@@ -40,10 +40,10 @@ class Device {
     void read(const BufferHandle& buffer, void* data, std::size_t bytes);
 
     /// Runs `kernel` of `source` over a 1-D or 2-D range and waits. `source` is OpenCL C 1.2,
-    /// compiled once, without contraction of a * b + c; the Error for one that does not compile
-    /// holds the compiler's log. Without a size of `groups` the device chooses one: the whole
-    /// range, perhaps, whose private arrays lie on one thread's stack with PoCL. The range must be
-    /// a multiple of it.
+    /// compiled once, without contraction of a * b + c; the Error for a source that does not
+    /// compile holds the compiler's log. `groups` is the work-group size, which must divide the
+    /// range; when empty the device chooses it. PoCL may choose the whole range and keeps the
+    /// private arrays of a group on one thread's stack, so kernels with such arrays must set it.
     void run(const std::string& source, const std::string& kernel,
              std::span<const std::size_t> global_size, std::span<const Argument> arguments,
              std::span<const std::size_t> groups = {});

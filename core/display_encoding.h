@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between linear light and what displays and 8-bit files hold: IEC 61966-2-1 (sRGB).
+// Conversion between linear light and the display encoding of IEC 61966-2-1 (sRGB).
 #pragma once
 
 #include "core/image.h"
 
 #include <cmath>
+#include <concepts>
 
 namespace scree {
 
-inline float linear_from_display(float v) {
-    return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+template <std::floating_point T>
+T linear_from_display(T v) {
+    return v <= T(0.04045) ? v / T(12.92) : std::pow((v + T(0.055)) / T(1.055), T(2.4));
 }
 
-inline float display_from_linear(float v) {
-    return v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
+template <std::floating_point T>
+T display_from_linear(T v) {
+    return v <= T(0.0031308) ? T(12.92) * v : T(1.055) * std::pow(v, 1 / T(2.4)) - T(0.055);
 }
 
-/// Linear R, G, B, A multiplied by alpha as an 8-bit file holds it: clamped to [0, 1],
-/// display-encoded, not multiplied; without A where alpha is 1 everywhere.
+/// Converts linear premultiplied R, G, B, A to what an 8-bit file holds: clamped to [0, 1],
+/// display-encoded, not premultiplied; without A when alpha is 1 everywhere.
 Image display_image(const Image& linear);
 
 } // namespace scree

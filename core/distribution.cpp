@@ -30,10 +30,10 @@ Distribution1D::Distribution1D(std::span<const float> weights)
         cumulative_[i + 1] = static_cast<float>(sum / total_);
     }
     cumulative_.back() = 1;
-    // From the rounded sums, so that pdf and sample agree to the last bit.
+    // Computed from the rounded sums, so that pdf and sample agree to the last bit.
     for (std::size_t i = 0; i < weights.size(); ++i)
         density_[i] = (cumulative_[i + 1] - cumulative_[i]) * static_cast<float>(weights.size());
-    // The first cell that u in [i / n, (i + 1) / n) may fall into.
+    // guide_[i]: the first cell that u in [i / n, (i + 1) / n) can fall into.
     std::uint32_t cell = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const float u = static_cast<float>(i) / static_cast<float>(weights.size());
@@ -50,7 +50,7 @@ float Distribution1D::pdf(float x) const {
 float Distribution1D::sample(float u, float& pdf) const {
     assert(total_ > 0);
     std::size_t cell = guide_[cell_of(u, guide_.size())];
-    while (cell > 0 && cumulative_[cell] > u) // by rounding of cell_of
+    while (cell > 0 && cumulative_[cell] > u) // cell_of rounds
         --cell;
     while (cell + 1 < density_.size() && cumulative_[cell + 1] <= u)
         ++cell;
@@ -58,7 +58,7 @@ float Distribution1D::sample(float u, float& pdf) const {
     const float width = cumulative_[cell + 1] - low;
     const float part = width > 0 ? std::min((u - low) / width, below_one) : 0;
     pdf = density_[cell];
-    // Rounding must not carry the answer into the next cell, where the density may be 0.
+    // Rounding must not move x into the next cell, where the density may be 0.
     float x = std::min((static_cast<float>(cell) + part) / static_cast<float>(density_.size()),
                        below_one);
     while (cell_of(x, density_.size()) > cell)

@@ -16,18 +16,18 @@ class Distribution1D {
     explicit Distribution1D(std::span<const float> weights); // finite, >= 0
 
     double total() const { return total_; } // sum of the weights
-    /// Density 0 everywhere when all weights are 0; then sample must not be called.
+    /// 0 everywhere when all weights are 0; then `sample` must not be called.
     float pdf(float x) const;
     float sample(float u, float& pdf) const;
 
   private:
     std::vector<float> cumulative_; // starts with 0, ends with 1
     std::vector<float> density_;
-    std::vector<std::uint32_t> guide_; // where to begin the search (Chen & Asau 1974)
+    std::vector<std::uint32_t> guide_; // guide table: where searches start (Chen & Asau 1974)
     double total_ = 0;
 };
 
-/// A piecewise-constant density over [0, 1)^2, by rows.
+/// A piecewise-constant density over [0, 1)^2: the marginal of y, then the conditional of x.
 class Distribution2D {
   public:
     Distribution2D() = default;

@@ -15,9 +15,9 @@ namespace scree {
 
 namespace {
 
-constexpr int deepest = 200; // drawings stay below 20
+constexpr int max_depth = 200; // usual drawings have less than 20
 
-// Spaces between words of texts count.
+// White space within text elements is significant.
 constexpr unsigned parsing = pugi::parse_default | pugi::parse_ws_pcdata;
 
 std::string_view local_name(std::string_view name) { return name.substr(name.find(':') + 1); }
@@ -72,8 +72,8 @@ class Checker {
             fail(root(),
                  fmt::format("the file's element is \"{:.30}\", expected svg", root().name()));
         for_each_element(root(), [&](const pugi::xml_node& node, int depth) {
-            if (depth > deepest)
-                fail(node, fmt::format("elements are nested more than {} deep", deepest));
+            if (depth > max_depth)
+                fail(node, fmt::format("elements are nested more than {} deep", max_depth));
             check(node);
         });
     }
@@ -126,7 +126,7 @@ class Checker {
         if (name == "attributeName" && is_reference(value))
             refuse("animates a reference");
         if (name.find(':') != std::string_view::npos)
-            return; // other programs' notes
+            return; // private data of drawing programs
         if (const std::string outside = outside_reference(value); !outside.empty())
             refuse(fmt::format("refers to \"{:.60}\", outside the file; embed it", outside));
     }
@@ -135,16 +135,16 @@ class Checker {
     pugi::xml_document document_;
 };
 
-// What other programs keep for themselves.
-bool is_note(const pugi::xml_node& node) {
+// Private data of drawing programs, which is not drawn.
+bool is_metadata(const pugi::xml_node& node) {
     const std::string_view name = node.name();
     return local_name(name) == "metadata" || name.starts_with("sodipodi:");
 }
 
-void remove_notes(pugi::xml_node node) {
+void remove_metadata(pugi::xml_node node) {
     for (pugi::xml_node child = node.first_child(); child;) {
         const pugi::xml_node next = child.next_sibling();
-        if (is_element(child) && is_note(child))
+        if (is_element(child) && is_metadata(child))
             node.remove_child(child);
         child = next;
     }
@@ -178,7 +178,7 @@ Drawing read_drawing(const std::string& bytes) {
     const Checker checked(bytes);
     pugi::xml_document document;
     pugi::xml_node root = document.append_copy(checked.root());
-    remove_notes(root);
+    remove_metadata(root);
     for_each_element(root, [](pugi::xml_node node, int) {
         node.remove_attribute("xml:base");
         if (local_name(node.name()) == "a")
@@ -190,8 +190,8 @@ Drawing read_drawing(const std::string& bytes) {
         set_attribute(root, "viewBox", fmt::format("0 0 {:.9g} {:.9g}", size.x, size.y));
         set_attribute(root, "preserveAspectRatio", "none");
     }
-    for (const char* own : {"x", "y", "width", "height"})
-        root.remove_attribute(own);
+    for (const char* attribute : {"x", "y", "width", "height"})
+        root.remove_attribute(attribute);
     return {serialized(root), size};
 }
 

@@ -28,7 +28,7 @@ using Handle = std::unique_ptr<RsvgHandle, Unref>;
     throw Error("cannot be drawn: " + reason);
 }
 
-// From memory, without a base URL: nothing outside can be loaded.
+// Loaded from memory without a base URL, so that librsvg cannot load other files.
 Handle load(const std::string& markup) {
     GError* error = nullptr;
     Handle handle(rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(markup.data()),
@@ -49,7 +49,7 @@ const std::array<float, 256>& linear_steps() {
     return table;
 }
 
-// cairo's ARGB32 holds display-encoded values multiplied by alpha.
+// cairo's ARGB32 holds premultiplied display-encoded values.
 Image linear_image(const unsigned char* data, int stride, int width, int height) {
     Image image(width, height, {"R", "G", "B", "A"});
     for (int y = 0; y < height; ++y) {

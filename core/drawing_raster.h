@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SVG drawings as pixels: the only door to librsvg and cairo.
+// Rasterises SVG drawings: the only place that uses librsvg and cairo.
 #pragma once
 
 #include "core/image.h"
@@ -9,12 +9,12 @@
 
 namespace scree {
 
-/// The size that the drawing's width, height and viewBox say [pixels of 1/96 inch]. Throws Error
-/// when it is no SVG, or says none.
+/// The size given by the drawing's width, height and viewBox [pixels of 1/96 inch]. Throws Error
+/// when the text is not SVG or gives no size.
 Vec2 drawing_size(const std::string& markup);
 
-/// The drawing, which fills a rectangle of its own `size`, as R, G, B, A: linear, multiplied by
-/// alpha. It sees no other file and no network. Throws Error when it cannot be drawn.
+/// Rasterises a drawing of the given `size` to width x height pixels of linear, premultiplied R, G,
+/// B, A. It cannot read other files or the network. Throws Error when it cannot be drawn.
 Image rasterised(const std::string& markup, const Vec2& size, int width, int height);
 
 } // namespace scree

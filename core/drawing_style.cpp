@@ -45,7 +45,7 @@ std::string without_comments(std::string_view text) {
         text = end == npos ? std::string_view() : text.substr(end + 2);
         out += ' ';
     }
-    // What old browsers had to be shielded from.
+    // Style sheets used to be wrapped in these to hide them from old browsers.
     for (const char* mark : {"<!--", "-->"})
         for (std::size_t at = out.find(mark); at != std::string::npos; at = out.find(mark))
             out.erase(at, std::string_view(mark).size());

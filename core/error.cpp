@@ -57,7 +57,8 @@ Error Error::located(const Location& where, const std::string& path) const {
 
 namespace {
 
-// Damerau-Levenshtein distance (optimal string alignment): a swap of neighbours is one slip.
+// Damerau-Levenshtein distance (optimal string alignment): a swap of adjacent letters counts as
+// one.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1);
     std::vector<std::size_t> above(b.size() + 1);

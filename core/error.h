@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a user sees when something is wrong: file, line, the field, what was given, what is allowed.
+// Error messages for users: file, line, parameter, the value given and what is allowed.
 #pragma once
 
 #include <exception>
@@ -18,10 +18,10 @@ struct Location {
     std::string text() const; // "gravel.lua:14", "gravel.lua", or "" for an empty location
 };
 
-/// Whose fault it is; the value is the program's exit code.
+/// The kind of a failure; the value is the program's exit code.
 enum class Fault { input = 1, usage = 2, resource = 3 };
 
-/// One mistake: "where: path: message", with the hint on an indented line of its own.
+/// One error: "where: path: message", then the hint on an indented line.
 struct Diagnostic {
     Location where;
     std::string path; // "generator.layout.components[2].margin"; may be empty
@@ -31,7 +31,7 @@ struct Diagnostic {
     std::string text() const;
 };
 
-/// The one exception type for users' mistakes; caught in app. Holds at least one diagnostic.
+/// The only exception type for errors that users see; caught in app. Holds at least one diagnostic.
 class Error : public std::exception {
   public:
     Error(Fault fault, std::vector<Diagnostic> diagnostics);
@@ -41,7 +41,7 @@ class Error : public std::exception {
     static Error usage(std::string message, std::string hint = {});
     static Error resource(std::string message);
 
-    /// The same, its mistakes placed at `where` and `path` as far as they do not say their own.
+    /// The same error, with `where` and `path` set in diagnostics that have none.
     Error located(const Location& where, const std::string& path) const;
 
     Fault fault() const noexcept { return fault_; }
@@ -54,8 +54,8 @@ class Error : public std::exception {
     std::string text_; // all diagnostics, one under the other
 };
 
-/// The name in `known` nearest to `given` by edit distance, or "" when none is near enough to be
-/// what the user meant (more than a third of the letters differ).
+/// The name in `known` nearest to `given` by edit distance, or "" when more than a third of the
+/// letters differ in all of them.
 std::string nearest_name(std::string_view given, std::span<const std::string> known);
 
 /// "did you mean X?", or "" when no name is near.

@@ -24,14 +24,14 @@ fs::path folder_of(const std::string& path) {
     return folder.empty() ? fs::path(".") : folder;
 }
 
-// Data must be on the disk before the rename makes it the file; the folder, after it.
+// The data must be synced before the rename, the folder after it.
 void sync_path(const fs::path& path, int flags) {
     const int descriptor = open(path.c_str(), flags | O_CLOEXEC);
     if (descriptor < 0)
         throw Error::resource("cannot open " + path.string() + ": " + reason(errno));
     const int failed = fsync(descriptor) != 0 ? errno : 0;
     close(descriptor);
-    // Some file systems cannot sync a folder (EINVAL); that is no loss of data.
+    // Some file systems cannot sync a folder (EINVAL); no data is lost.
     if (failed != 0 && failed != EINVAL && failed != EROFS)
         throw Error::resource("cannot write " + path.string() + ": " + reason(failed));
 }
@@ -75,7 +75,7 @@ void check_writable(const std::string& path) {
 void write_atomically(const std::string& path,
                       const std::function<void(const std::string& temporary_path)>& write) {
     check_writable(path);
-    // The ending stays last: image libraries choose the format by it.
+    // The temporary name keeps the extension, by which image libraries choose the format.
     const fs::path target(path);
     const fs::path temporary =
         folder_of(path) /

@@ -9,27 +9,28 @@
 
 namespace scree {
 
-/// The whole file as bytes. Throws Error (input): missing, a folder, unreadable, or larger than
-/// `limit` bytes.
+/// The whole file as bytes. Throws Error (input) when it is missing, a folder, unreadable, or
+/// larger than `limit` bytes.
 std::string read_file(const std::string& path, std::uint64_t limit = std::uint64_t{4} << 30);
 
-/// Lets `write` make a file under a temporary name in the same folder, syncs it and renames it to
-/// `path`, so that a failed write leaves an old file whole. `write` throws on failure; then the
-/// temporary file is removed. Throws Error (resource) when the folder cannot be written.
+/// Lets `write` create a file under a temporary name in the same folder, syncs it and renames it to
+/// `path`, so that a failed write leaves an old file intact. When `write` throws, the temporary
+/// file is removed. Throws Error (resource) when the folder is not writable.
 void write_atomically(const std::string& path,
                       const std::function<void(const std::string& temporary_path)>& write);
 
-/// The same for what `write` puts into a binary, seekable stream, which need not be looked at: that
-/// it held everything is checked in the end.
+/// The same for what `write` puts into a binary, seekable stream. `write` need not check the
+/// stream's state: it is checked at the end.
 void write_stream(const std::string& path, const std::function<void(std::ostream& out)>& write);
 
-/// The same for bytes at hand.
+/// The same for given bytes.
 void write_file(const std::string& path, std::string_view bytes);
 
-/// Throws the Error that write_atomically would throw for this folder, before hours of work.
+/// Throws the Error that write_atomically would throw for this folder: to be called before work
+/// that takes hours.
 void check_writable(const std::string& path);
 
-/// The ending of the file name in lower case without its dot: "exr"; "" when there is none.
+/// The extension of the file name in lower case without its dot: "exr"; "" when there is none.
 std::string extension(const std::string& path);
 
 /// The last part of the path: "toys.lua".
@@ -38,7 +39,7 @@ std::string file_name(const std::string& path);
 /// `path` itself when absolute, otherwise relative to the folder of `base_file`.
 std::string resolve_path(const std::string& path, const std::string& base_file);
 
-/// 64-bit FNV-1a hash (Fowler, Noll, Vo 1991), for identity, not for security.
+/// 64-bit FNV-1a hash (Fowler, Noll & Vo 1991); not cryptographic.
 std::uint64_t hash_bytes(std::string_view bytes);
 
 } // namespace scree

@@ -7,7 +7,8 @@
 namespace scree {
 
 using Float4 = float __attribute__((vector_size(16)));
-using Mask4 = std::int32_t __attribute__((vector_size(16))); // of comparisons: 0 or -1 a lane
+using Mask4 =
+    std::int32_t __attribute__((vector_size(16))); // result of a comparison: 0 or -1 per lane
 
 inline Float4 maximum(const Float4& a, const Float4& b) { return a > b ? a : b; }
 inline Float4 minimum(const Float4& a, const Float4& b) { return a < b ? a : b; }

@@ -34,7 +34,7 @@ struct Frame {
     Vec3 world_from_local(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
 };
 
-/// normalized() of Imath guards against underflow with a branch and a length that we do not need.
+/// Normalises without the guard against underflow that Imath's normalized() has.
 inline Vec3 unit(const Vec3& v) { return v / std::sqrt(v.dot(v)); }
 
 } // namespace scree

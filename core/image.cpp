@@ -36,14 +36,15 @@ namespace scree {
 
 namespace {
 
-// A picture of 16384 x 8192 floats in 4 channels; more than that in a scene is a mistake or an
-// attack (a file of 300 bytes can claim any size).
+// 16384 x 8192 pixels of 4 float channels. A larger image in a scene is a mistake or an attack (a
+// file of 300 bytes can claim any size).
 constexpr std::uint64_t max_image_bytes = std::uint64_t{2} << 30;
 constexpr int max_side = 1 << 16;
 
 enum class Format { png, jpeg, exr };
 
-// By content: the ending of a name proves nothing, and other readers of OpenImageIO are not safe.
+// By content, since an extension may be wrong and OpenImageIO's other readers are not safe against
+// malicious files.
 Format format_of(const std::string& path) {
     std::array<unsigned char, 8> magic{};
     std::ifstream in(path, std::ios::binary);
@@ -93,7 +94,7 @@ Image read_display_image(const std::string& path, const char* format, bool to_li
     };
     OIIO::ImageSpec spec;
     OIIO::ImageSpec wish;
-    wish.attribute("oiio:UnassociatedAlpha", 1); // curves apply before alpha
+    wish.attribute("oiio:UnassociatedAlpha", 1); // the sRGB curve applies to unpremultiplied values
     if (!input->open(path, spec, wish))
         throw failure();
     check_size(path, spec.width, spec.height, static_cast<std::size_t>(spec.nchannels));
@@ -114,7 +115,7 @@ Image read_display_image(const std::string& path, const char* format, bool to_li
     return image;
 }
 
-// R, G, B, A first, then as the file has them (by alphabet).
+// R, G, B, A first, then the others in the file's (alphabetical) order.
 std::vector<std::string> ordered_channels(const Imf::ChannelList& list) {
     std::vector<std::string> names;
     for (const char* name : {"R", "G", "B", "A"})
@@ -176,8 +177,8 @@ auto with_exr(const std::string& path, const Read& read) {
     }
 }
 
-// OpenEXR's own streams report no error when closing, and destructors of its files swallow those
-// of the last writes; this stream remembers.
+// OpenEXR's own streams report no error on closing, and the destructors of its files swallow errors
+// of the last writes; this stream remembers them.
 class CheckedStream final : public Imf::OStream {
   public:
     explicit CheckedStream(const std::string& path)
@@ -243,7 +244,7 @@ std::vector<float> numbers_of(const Imf::Attribute& attribute) {
     return {};
 }
 
-// What every EXR has, wherever it is from.
+// Standard attributes, which are not ours.
 bool is_standard_number(const std::string& name) {
     return name == "pixelAspectRatio" || name == "screenWindowCenter" ||
            name == "screenWindowWidth";
@@ -289,7 +290,8 @@ void write_part(Imf::MultiPartOutputFile& file, int index, const ImagePart& part
     output.writePixels(image.height);
 }
 
-// 8 x 8 ordered dither (Bayer 1973), in (0, 1), so that exact steps stay exact.
+// 8 x 8 ordered dither (Bayer 1973). The thresholds lie in (0, 1), so values that are exact 8-bit
+// steps stay unchanged.
 float dither(int x, int y) {
     int rank = 0;
     for (int bit = 0; bit < 3; ++bit) {
@@ -379,8 +381,8 @@ std::string png_bytes(const Image& image, const Metadata& metadata) {
     spec.attribute("oiio:UnassociatedAlpha", 1);
     for (const auto& [name, value] : metadata)
         spec.attribute(name, value);
-    // To memory first: OpenImageIO's PNG writer reports success on a full disk, write_file does
-    // not.
+    // Written to memory first: OpenImageIO's PNG writer reports success on a full disk; write_file
+    // reports the failure.
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create("memory.png", &memory);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Image files: the only door to OpenImageIO and OpenEXR.
+// Image files: the only place that uses OpenImageIO and OpenEXR.
 #pragma once
 
 #include <cstdint>
@@ -39,18 +39,18 @@ struct ImagePart {
 
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
-/// Numbers of an EXR's header: one is a float attribute, two are a v2f, three a v3f.
+/// Numeric attributes of an EXR header: one number is a float, two are a v2f, three a v3f.
 using HeaderNumbers = std::vector<std::pair<std::string, std::vector<float>>>;
 
 /// Reads a PNG, JPEG or EXR (first part) with at most 4 channels and a size limit; PNG and JPEG
 /// values are converted from sRGB to linear. Throws Error (input) naming the file.
 Image read_image(const std::string& path);
 
-/// The same file as data: values as they are stored, 8 and 16 bits as 0 to 1, without conversion
-/// and not multiplied by alpha.
+/// Reads the same files as data: the stored values, 8 and 16 bits scaled to [0, 1], without colour
+/// conversion and without premultiplication.
 Image read_data_image(const std::string& path);
 
-/// Reads all parts of an EXR, and the first part's header: its strings and its own numbers.
+/// All parts of an EXR, and the first part's header: strings and non-standard numbers.
 struct ExrFile {
     std::vector<ImagePart> parts;
     Metadata metadata;
@@ -64,11 +64,11 @@ void write_exr(const std::string& path, std::span<const ImagePart> parts, const 
                const HeaderNumbers& numbers = {});
 
 /// An 8-bit PNG as bytes; `image` has 1, 3 or 4 channels already display-encoded in [0, 1].
-/// Dithered by no more than half a step with a fixed pattern, to hide banding. Throws Error
-/// (resource) when that fails.
+/// Dithered by at most half a step with a fixed pattern, to hide banding. Throws Error (resource)
+/// when encoding fails.
 std::string png_bytes(const Image& image, const Metadata& metadata = {});
 
-/// Writes it atomically. Throws Error (resource) on an unwritable path or a full disk.
+/// Writes such a PNG atomically. Throws Error (resource) on an unwritable path or a full disk.
 void write_png(const std::string& path, const Image& image, const Metadata& metadata = {});
 
 } // namespace scree

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text through OpenImageIO, which draws it with FreeType.
+// Text by OpenImageIO, which rasterises it with FreeType.
 #include "core/canvas.h"
 #include "core/error.h"
 
@@ -22,7 +22,7 @@ TextMask text_mask(const std::string& text, double size) {
     OIIO::ImageBuf buffer;
     bool drawn = ink.defined();
     if (drawn) {
-        constexpr int border = 2; // text_size may be a pixel short
+        constexpr int border = 2; // text_size may be a pixel too small
         mask.left = ink.xbegin - border;
         mask.top = ink.ybegin - border;
         mask.image = Image(ink.width() + 2 * border, ink.height() + 2 * border, {"A"});

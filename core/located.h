@@ -5,30 +5,30 @@
 
 namespace scree {
 
-/// What `make` returns; the user's mistakes that it throws are located at the parameter that they
-/// come from, as far as they have no place of their own. Errors of other kinds, such as a full
-/// memory, stay what they are.
+/// What `make` returns. Input errors that it throws are located at `place`, as far as they have no
+/// place of their own; errors of other kinds, such as running out of memory, keep their kind and
+/// text.
 template <class Make>
-auto located(const Params& params, const std::string& name, const Make& make) {
+auto located(const ParamPlace& place, const Make& make) {
     try {
         return make();
     } catch (const Error& error) {
         if (error.fault() != Fault::input)
             throw;
-        throw error.located(params.where(name), params.path() + "." + name);
+        throw error.located(place.where, place.path);
     }
+}
+
+/// The same, located at the parameter `name`.
+template <class Make>
+auto located(const Params& params, const std::string& name, const Make& make) {
+    return located(params.place(name), make);
 }
 
 /// The same, located at the table of the parameters.
 template <class Make>
 auto located(const Params& params, const Make& make) {
-    try {
-        return make();
-    } catch (const Error& error) {
-        if (error.fault() != Fault::input)
-            throw;
-        throw error.located(params.where(), params.path());
-    }
+    return located(ParamPlace{params.where(), params.path()}, make);
 }
 
 } // namespace scree

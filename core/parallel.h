@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parallel loops on oneTBB. Results must not depend on how a loop is cut.
+// Parallel loops on oneTBB. Results must not depend on how a loop is divided among threads.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -12,7 +12,7 @@
 
 namespace scree {
 
-/// Limits all parallel loops to `threads` threads while it lives; 0 means all the machine has.
+/// Limits all parallel loops to `threads` threads during its lifetime; 0 means no limit.
 class ThreadLimit {
   public:
     explicit ThreadLimit(int threads)
@@ -29,7 +29,7 @@ inline int thread_count() {
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
-/// Calls body(i) for every i in [0, count), in pieces of at least `grain`.
+/// Calls body(i) for every i in [0, count), in chunks of about `grain` iterations or more.
 template <class Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
@@ -38,7 +38,8 @@ void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     });
 }
 
-/// Sorts by `less`, which must tell any two elements apart: equal ones come in any order.
+/// Sorts by `less`. The sort is not stable, so `less` must be a strict total order for the result
+/// to be deterministic.
 template <class Iterator, class Less>
 void parallel_sort(Iterator begin, Iterator end, const Less& less) {
     tbb::parallel_sort(begin, end, less);

@@ -8,7 +8,7 @@ namespace scree {
 
 namespace {
 
-// A default in the unit of scripts.
+// Converts a default from the unit of scripts to the program's unit.
 struct InProgramUnits {
     const ParamSpec& spec;
     double unit;
@@ -41,6 +41,28 @@ struct InProgramUnits {
 
 Value default_value(const ParamSpec& spec) {
     return std::visit(InProgramUnits{spec, spec.unit == "deg" ? radians(1) : 1}, spec.fallback);
+}
+
+ParamSpec number_spec(std::string name, std::string doc, std::string unit, double fallback,
+                      double min, double max) {
+    return {.name = std::move(name),
+            .type = ParamType::number,
+            .doc = std::move(doc),
+            .unit = std::move(unit),
+            .fallback = fallback,
+            .min = min,
+            .max = max};
+}
+
+ParamSpec optional_number_spec(std::string name, std::string doc, std::string unit, double min,
+                               double max) {
+    return {.name = std::move(name),
+            .type = ParamType::number,
+            .doc = std::move(doc),
+            .unit = std::move(unit),
+            .optional = true,
+            .min = min,
+            .max = max};
 }
 
 bool is_object_list(const ParamSpec& spec) {
@@ -107,8 +129,16 @@ Location Params::where(const std::string& name) const {
     return entry == entries_.end() || entry->second.where.line == 0 ? where_ : entry->second.where;
 }
 
+ParamPlace Params::place(const std::string& name) const {
+    return {where(name), path_ + "." + name};
+}
+
 Error Params::error(const std::string& name, std::string message, std::string hint) const {
-    return Error(Diagnostic{where(name), path_ + "." + name, std::move(message), std::move(hint)});
+    return place(name).error(std::move(message), std::move(hint));
+}
+
+Error ParamPlace::error(std::string message, std::string hint) const {
+    return Error(Diagnostic{where, path, std::move(message), std::move(hint)});
 }
 
 } // namespace scree

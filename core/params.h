@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One declaration per parameter: it drives checking, `scree list`, the reference page and defaults.
+// Declarations of parameters, which drive checking, defaults, `scree list` and the reference page.
 #pragma once
 
 #include "core/error.h"
@@ -29,10 +29,10 @@ enum class ParamType {
     color,    // {r, g, b}, linear, or one number for grey
     range,    // {low, high} with low <= high, or one number for both
     points,   // list of {x, z}
-    function, // a function(x, z) of a script, sampled on a grid: a text of numbers
+    function, // a script's function(x, z), sampled on a grid; the value is a text of numbers
     object,   // what a constructor of one of ParamSpec::families makes: mesh.*, region.*, ...
-    field,    // field.*, or a number: the same value everywhere; in the unit of scripts
-    texture,  // procedural.*, or a color
+    field,    // field.*, or a number for a constant field; its values are in the unit of scripts
+    texture,  // procedural.*, or a colour for a constant texture
     record,   // a table with ParamSpec::fields
     list,     // a list of records with ParamSpec::fields
 };
@@ -43,7 +43,8 @@ using Value =
     std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec2, Vec3, Color, Range,
                  std::vector<Vec2>, SharedObject, std::shared_ptr<const std::vector<Params>>>;
 
-/// The declaration of one parameter. `fallback`, `min` and `max` are in the unit of scripts.
+/// The declaration of one parameter. `fallback` (the default), `min` and `max` are in the unit of
+/// scripts.
 struct ParamSpec {
     std::string name;
     ParamType type = ParamType::number;
@@ -51,28 +52,45 @@ struct ParamSpec {
     std::string doc{};                   // one sentence
     std::string unit{};                  // "m", "deg", ...
     Value fallback{};                    // monostate: required, unless `optional`
-    bool optional = false;               // may be absent and then has no value
-    std::optional<double> min{};         // for all values of a range or field
+    bool optional = false;               // may be omitted, and then has no value
+    std::optional<double> min{};         // applies to all values of a range or field
     std::optional<double> max{};
     bool above_min = false; // min itself is not allowed
-    bool uniform = false;   // one number stands for all three of a vector3
+    bool uniform = false;   // a vector3 may be given as one number for all three
     std::vector<std::string> choices{};
     std::vector<ParamSpec> fields{};
     std::optional<std::size_t> min_items{}; // of a list
 };
 
-/// A declaration's default as the value of its type, in the program's units; monostate without one.
+/// The declaration of a number with a default.
+ParamSpec number_spec(std::string name, std::string doc, std::string unit, double fallback,
+                      double min, double max);
+
+/// The declaration of a number that may be absent.
+ParamSpec optional_number_spec(std::string name, std::string doc, std::string unit, double min,
+                               double max);
+
+/// The default in the program's units, converted to the parameter's type; monostate when there is
+/// none.
 Value default_value(const ParamSpec& spec);
 
-/// Whether it is a list of objects: its items are written without the name of their one field.
+/// Whether the parameter is a list of objects, whose items are written without a field name.
 bool is_object_list(const ParamSpec& spec);
 
-/// "mesh.* or region.*"; `object` is a family of one.
+/// "mesh.* or region.*", where `between` is " or ". The family `object` is written without ".*".
 std::string kinds_in_words(const std::vector<std::string>& families, std::string_view between);
 
-/// Values by name, resolved and checked against their specs, with the place each was written.
-/// Reading a name that no spec declares, or with another type than declared, is our own mistake
-/// and asserts.
+/// Where a parameter was written and what it is called: what an error says that is found after the
+/// parameters were read.
+struct ParamPlace {
+    Location where;
+    std::string path; // "generator.layout.components[2].margin"
+
+    Error error(std::string message, std::string hint = {}) const;
+};
+
+/// Values by name, resolved and checked against their specs, each with its location. Reading an
+/// undeclared name, or one as another type than declared, is a programming error and asserts.
 class Params {
   public:
     Params() = default;
@@ -80,7 +98,7 @@ class Params {
 
     void set(const std::string& name, Value value, Location where = {});
 
-    bool has(const std::string& name) const; // given or defaulted
+    bool has(const std::string& name) const; // given, or has a default
     bool flag(const std::string& name) const;
     std::int64_t integer(const std::string& name) const;
     double number(const std::string& name) const;
@@ -91,8 +109,8 @@ class Params {
     const Range& range(const std::string& name) const;
     const std::vector<Vec2>& points(const std::string& name) const;
 
-    /// The object of an `object`, `field` or `texture`; null when there is none, or when it is of
-    /// another type, as one of several families may be.
+    /// The object of an `object`, `field` or `texture` parameter; null when there is none, or when
+    /// its type is not T (several families may be allowed).
     template <class T>
     std::shared_ptr<const T> object(const std::string& name) const {
         const Value* value = find(name);
@@ -106,6 +124,7 @@ class Params {
     const std::string& path() const { return path_; }
     const Location& where() const { return where_; }
     Location where(const std::string& name) const;
+    ParamPlace place(const std::string& name) const;
 
     /// An error that names this parameter's file, line and path.
     Error error(const std::string& name, std::string message, std::string hint = {}) const;

@@ -13,9 +13,10 @@ namespace scree {
 
 namespace {
 
-constexpr std::uint64_t largest_drawing = std::uint64_t{16} << 20; // drawings of motifs have 1 MB
+// Usual drawings have at most 1 MB.
+constexpr std::uint64_t largest_drawing = std::uint64_t{16} << 20;
 
-// By content, as images are told apart: XML begins with a bracket.
+// By content, as for images: XML begins with "<".
 bool is_drawing(const std::string& path) {
     if (extension(path) == "svg")
         return true;
@@ -32,7 +33,7 @@ Box2 unit_box(const Vec2& size) {
     return {-half, half};
 }
 
-// Y, Y A, R G B and R G B A as the last.
+// Converts Y, Y A, R G B and R G B A to R G B A.
 Image with_all_channels(Image image) {
     using Names = std::vector<std::string>;
     const Names all{"R", "G", "B", "A"};

@@ -8,22 +8,22 @@
 
 namespace scree {
 
-/// A picture that lies on the ground: pixels with alpha, and the drawing that they were made from
-/// when its file was one.
+/// A picture in the layout plane: pixels with alpha, and the SVG drawing that they were rasterised
+/// from, if any.
 struct Picture {
-    std::string name; // as shown to users: "leaf.png"
-    Image image;      // R, G, B, A: linear Rec. 709 multiplied by alpha; row 0 on the far side (-z)
+    std::string name;    // as shown to users: "leaf.png"
+    Image image;         // R, G, B, A: linear Rec. 709, premultiplied; row 0 on the far side (-z)
     std::string drawing; // an SVG document as `read_drawing` returns it; empty: none
-    Box2 box;            // what it covers of the layout plane (x, z), in its prototype's frame [m]
+    Box2 box;            // the area it covers (x, z), in its prototype's frame [m]
 };
 
-/// Pixels along the longer side that a drawing gets unless told otherwise.
+/// Default number of pixels along the longer side of a rasterised drawing.
 inline constexpr int drawing_pixels = 512;
 
-/// Reads a PNG, JPEG or EXR (with alpha or without), or an SVG drawing, which is also rasterised
-/// with `pixels` pixels along its longer side. The box is about the origin, its longer side 1 m.
-/// Throws Error (input) naming the file: missing, broken, too large, channels that are no colour,
-/// or a drawing that `read_drawing` refuses.
+/// Reads a PNG, JPEG or EXR (with or without alpha), or an SVG drawing, which is also rasterised
+/// with `pixels` pixels along its longer side. The box is centred on the origin, its longer side
+/// 1 m. Throws Error (input) naming the file when it is missing, corrupt or too large, has channels
+/// that are not a colour, or is a drawing that `read_drawing` rejects.
 Picture read_picture(const std::string& path, int pixels = drawing_pixels);
 
 } // namespace scree

@@ -20,8 +20,8 @@ float mitchell(float x) {
     return (7.0F / 6 * x - 2) * x * x + 8.0F / 9;
 }
 
-// The halvings keep at least so many texels per pixel, so that what their filter lets through
-// near its own limit is stopped by the kernel.
+// The chosen mip level has at least this many texels per pixel, so that the reconstruction kernel
+// removes the frequencies near the level's Nyquist limit, which the halving filter lets through.
 constexpr double texels_per_pixel = 1.5;
 
 struct Taps {
@@ -29,7 +29,7 @@ struct Taps {
     std::vector<float> weights; // sum 1
 };
 
-// What makes one of `to` pixels out of `from` ones.
+// The filter weights of output pixel `i` when a row of `from` pixels is resampled to `to`.
 Taps taps(int i, int from, int to) {
     const double width = double(from) / to;
     const double centre = (i + 0.5) * width;
@@ -51,8 +51,8 @@ void add(Rgba& sum, const float* pixel, float weight) {
         sum[c] += weight * pixel[c];
 }
 
-// A cubic's ringing makes no picture: alpha stays in [0, 1], light above 0.
-Rgba plausible(Rgba v) {
+// Clamps the ringing of the cubic filter: alpha to [0, 1], colours to >= 0.
+Rgba without_ringing(Rgba v) {
     if (v[3] <= 0)
         return {};
     const float excess = std::max(1.0F, v[3]);
@@ -61,7 +61,7 @@ Rgba plausible(Rgba v) {
     return v;
 }
 
-/// A matrix by the images of its axes.
+/// A 2 x 2 matrix, given by the images of the two axes.
 using Map = std::array<Vec2, 2>;
 
 Vec2 mapped(const Map& m, const Vec2& p) { return m[0] * p.x + m[1] * p.y; }
@@ -76,7 +76,7 @@ struct Axes {
     double large = 0, small = 0;
 };
 
-// The axes of the ellipse that a map makes of the unit circle.
+// The axes of the ellipse that the matrix maps the unit circle to (its singular values).
 Axes principal(const Map& m) {
     const double xx = m[0].x * m[0].x + m[1].x * m[1].x;
     const double yy = m[0].y * m[0].y + m[1].y * m[1].y;
@@ -90,7 +90,7 @@ Axes principal(const Map& m) {
     return out;
 }
 
-// Kernels as wide as a pixel where texels are smaller, as a texel where they are larger.
+// Along each principal axis the kernel is scaled to a pixel or to a texel, whichever is larger.
 Map kernel_from_texel(const Map& pixel_from_texel) {
     const Axes axes = principal(pixel_from_texel);
     if (axes.large <= 1)
@@ -194,7 +194,7 @@ Rgba PictureFilter::Placed::at(const Vec2& pixel) const {
     }
     for (float& v : sum)
         v /= total;
-    return plausible(sum);
+    return without_ringing(sum);
 }
 
 Rgba PictureFilter::bilinear(const Image& level, const Vec2& uv) const {
@@ -215,7 +215,7 @@ Rgba PictureFilter::bilinear(const Image& level, const Vec2& uv) const {
 }
 
 Rgba PictureFilter::trilinear(const Vec2& uv, double width) const {
-    // Far outside, integers would overflow; repeating by whole pictures changes nothing.
+    // Brought into the picture first, since texel indices far outside would overflow an int.
     const Vec2 near = beyond_ == Beyond::repeated
                           ? Vec2(uv.x - std::floor(uv.x), uv.y - std::floor(uv.y))
                           : Vec2(std::clamp(uv.x, 0.0, 1.0), std::clamp(uv.y, 0.0, 1.0));
@@ -226,12 +226,12 @@ Rgba PictureFilter::trilinear(const Vec2& uv, double width) const {
     const Rgba fine = bilinear(level(below), near);
     const auto share = static_cast<float>(depth - below);
     if (share == 0)
-        return plausible(fine);
+        return without_ringing(fine);
     const Rgba coarse = bilinear(level(below + 1), near);
     Rgba sum{};
     add(sum, fine.data(), 1 - share);
     add(sum, coarse.data(), share);
-    return plausible(sum);
+    return without_ringing(sum);
 }
 
 } // namespace scree

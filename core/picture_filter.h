@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures sampled at any size and angle without aliasing.
+// Anti-aliased sampling of pictures at any scale and rotation.
 #pragma once
 
 #include "core/image.h"
@@ -9,29 +9,29 @@
 
 namespace scree {
 
-using Rgba = std::array<float, 4>; // linear, multiplied by alpha
+using Rgba = std::array<float, 4>; // linear, premultiplied
 
-/// How a picture goes on beyond its borders.
+/// How a picture is extended beyond its borders.
 enum class Beyond { clamped, repeated };
 
-/// Where a picture's unit square lies [pixels]: its top left corner, and what goes along its top
-/// and its left side.
+/// Where a picture is drawn [pixels]: its top left corner and the vectors along its top side and
+/// its left side.
 struct PicturePlace {
     Vec2 origin, u, v;
 };
 
-/// A picture with its halvings, each filtered from the one before. Thread-safe once made.
+/// A picture with its mip levels, each filtered from the one before. Immutable, so thread-safe.
 class PictureFilter {
   public:
-    /// `picture` has R, G, B, A, multiplied by alpha.
+    /// `picture` has premultiplied R, G, B, A.
     PictureFilter(const Image& picture, Beyond beyond);
 
-    /// The picture put in its place: what a pixel shows.
+    /// The picture at a fixed place on a target.
     class Placed {
       public:
-        /// Filtered about `pixel` by Mitchell & Netravali's cubic (1988), two pixels of the target
-        /// or of the picture wide to each side, whichever is larger, along each axis of the
-        /// transform. Ringing is cut off where it would leave alpha's [0, 1] or colours below 0.
+        /// The colour at a position on the target, filtered by Mitchell & Netravali's cubic (1988).
+        /// Along each principal axis of the transform its radius is two pixels of the target or two
+        /// of the picture, whichever is larger. Alpha is clamped to [0, 1], colours to >= 0.
         Rgba at(const Vec2& pixel) const;
 
       private:
@@ -45,9 +45,8 @@ class PictureFilter {
     };
     Placed placed(const PicturePlace& place) const;
 
-    /// The mean around `uv`, whose (0, 0) is the lower left corner, over about the square of
-    /// `width`, as a share of the picture's area: bilinear in the two nearest halvings (Williams
-    /// 1983).
+    /// The mean over about a square around `uv`, whose (0, 0) is the lower left corner; the area of
+    /// the square is `width`^2 times that of the picture. By trilinear mip mapping (Williams 1983).
     Rgba trilinear(const Vec2& uv, double width) const;
 
     int levels() const { return static_cast<int>(levels_.size()); }

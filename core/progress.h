@@ -7,10 +7,10 @@
 
 namespace scree {
 
-/// Thrown by long work once cancelled; not a user's mistake.
+/// Thrown by a long computation after it was cancelled; not an error.
 struct Cancelled {};
 
-/// A flag that a signal handler or another thread sets; long loops look at it.
+/// A flag that a signal handler or another thread sets and long loops check.
 class Cancel {
   public:
     void request() noexcept { requested_.store(true, std::memory_order_relaxed); }
@@ -24,7 +24,8 @@ class Cancel {
     std::atomic<bool> requested_ = false;
 };
 
-/// Called from any one thread at a time with what is being done and how far it is, in [0, 1].
+/// Called with the current stage and the fraction done in [0, 1]; from any thread, but never from
+/// two at once.
 using Progress = std::function<void(std::string_view what, double fraction)>;
 
 } // namespace scree

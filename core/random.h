@@ -10,8 +10,8 @@
 
 namespace scree {
 
-/// What a stream is for, so that two uses of one seed never share numbers. Values are part of the
-/// output's identity: append, never renumber.
+/// What a stream is used for, so that two uses of one seed never share numbers. Renumbering would
+/// change the output: append only.
 enum class Purpose : std::uint32_t {
     layout_dart = 1,
     layout_sparse = 2,
@@ -46,11 +46,15 @@ enum class Purpose : std::uint32_t {
     pile_strew = 64,
     pile_shape = 66,
     pile_choice = 67,
+    pile_sites = 72,
+    pile_shell = 73,
+    pile_fill = 74,
     subsurface_walk = 68,
 };
 
-/// A stream of uniform numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et al.
-/// 2011), a pure function of its key and position, so streams may be made anywhere in any order.
+/// A stream of uniform random numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et
+/// al. 2011). A number is a pure function of the key and its position in the stream, so streams may
+/// be created in any order on any thread.
 class Random {
   public:
     Random(std::uint64_t seed, Purpose purpose, std::uint64_t index = 0)
@@ -79,9 +83,9 @@ class Random {
 
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-    /// Exponentially distributed with mean 1, 32 bits. The logarithm is our own, since that of C
-    /// libraries differs between machines in its last bit: an odd series in (m - 1) / (m + 1) for
-    /// the mantissa m in [sqrt(1/2), sqrt(2)), whose rest is below 1e-8.
+    /// Exponentially distributed with mean 1, 32 bits. The logarithm is computed here, since the
+    /// last bit of std::log differs between C libraries: an odd series in (m - 1) / (m + 1) for the
+    /// mantissa m in [sqrt(1/2), sqrt(2)), with a truncation error below 1e-8.
     double exponential() {
         const double u = (bits() + 0.5) * 0x1p-32;
         const auto pattern = std::bit_cast<std::uint64_t>(u);
@@ -98,7 +102,7 @@ class Random {
         return -(exponent * std::numbers::ln2 + series);
     }
 
-    /// Uniform integer in [0, n), n >= 1; without modulo bias (Lemire 2019).
+    /// A uniform integer in [0, n), n >= 1, without modulo bias (Lemire 2019).
     std::uint32_t below(std::uint32_t n) {
         std::uint64_t product = std::uint64_t{bits()} * n;
         if (static_cast<std::uint32_t>(product) < n) {
@@ -109,11 +113,23 @@ class Random {
         return static_cast<std::uint32_t>(product >> 32);
     }
 
+    /// Uniform in [0, 2^64).
+    std::uint64_t bits64() {
+        const std::uint64_t high = bits();
+        return high << 32 | bits();
+    }
+
   private:
     r123::Philox4x32::key_type key_;
     r123::Philox4x32::ctr_type counter_;
     r123::Philox4x32::ctr_type block_{};
     unsigned used_ = 4;
 };
+
+/// A seed of its own for each (seed, purpose, index), for what draws its random numbers from a
+/// seed. Unlike sums of a seed and a number, seeds derived so do not meet those of other uses.
+inline std::uint64_t derived_seed(std::uint64_t seed, Purpose purpose, std::uint64_t index) {
+    return Random(seed, purpose, index).bits64();
+}
 
 } // namespace scree

@@ -3,7 +3,7 @@
 
 namespace scree {
 
-/// Lowest and highest of a set of numbers.
+/// The minimum and maximum of a set of numbers.
 struct Range {
     double low = 0;
     double high = 0;

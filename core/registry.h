@@ -8,7 +8,7 @@
 
 namespace scree {
 
-/// What can be made by name: one row per plug-in.
+/// One plug-in: its name, its parameters and the function that makes its object.
 template <class Make>
 struct Plugin {
     std::string name; // "layout"
@@ -17,7 +17,7 @@ struct Plugin {
     std::function<Make> make;
 };
 
-/// Plug-ins by name, in the order of their table. A duplicate name is an error.
+/// Plug-ins by name, in the order in which they were added. A duplicate name is an error.
 template <class Make>
 class Registry {
   public:

@@ -7,17 +7,17 @@
 
 namespace scree {
 
-/// What a constructor of a scene script made, such as a mesh: of any one type, shared, never
-/// changed afterwards. Equal to another when both are the same object.
+/// An immutable, shared object of any type, such as a mesh, made by a constructor of a scene
+/// script. Two are equal when they are the same object.
 class SharedObject {
   public:
     SharedObject() = default;
 
     template <class T>
-    SharedObject(std::shared_ptr<const T> object) // implicit: it is the object
+    SharedObject(std::shared_ptr<const T> object) // implicit on purpose
         : type_(object == nullptr ? nullptr : &typeid(T)), object_(std::move(object)) {}
 
-    /// The object, or null when it is of another type or there is none.
+    /// The object, or null when it is empty or its type is not T.
     template <class T>
     std::shared_ptr<const T> as() const {
         return type_ != nullptr && *type_ == typeid(T) ? std::static_pointer_cast<const T>(object_)

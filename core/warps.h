@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Maps from the unit square to other domains that keep areas, or densities where they say so: each
-// with its density and its inverse. T is float or double.
+// Maps from the unit square to other sampling domains, each with its density and its inverse. They
+// preserve area unless they say otherwise. T is float or double.
 #pragma once
 
 #include "core/math.h"
@@ -9,8 +9,8 @@
 
 namespace scree::warp {
 
-/// Sine and cosine for |x| <= pi / 4 by their Taylor series, whose next terms are below 2^-24
-/// there: no call, and the same bits whatever the C library.
+/// Sine and cosine for |x| <= pi / 4 by Taylor series with truncation errors below 2^-24: inlined,
+/// and the same bits with every C library.
 inline void short_sine_cosine(float x, float& sine, float& cosine) {
     const float x2 = x * x;
     sine = x * (1 + x2 * (-1.0F / 6 + x2 * (1.0F / 120 + x2 * (-1.0F / 5040 + x2 / 362880))));
@@ -23,7 +23,7 @@ inline Vec2f disk(const Vec2f& u) {
     const float b = 2 * u.y - 1;
     if (a == 0 && b == 0)
         return {0.0F, 0.0F};
-    // Which half of the wedges it is falls at random, so no branch.
+    // Branch-free, since the condition is random and would be mispredicted.
     const bool steep = std::abs(b) >= std::abs(a);
     const float radius = steep ? b : a;
     constexpr auto quarter = static_cast<float>(pi / 4);
@@ -43,7 +43,7 @@ inline Vec2f disk_inverse(const Vec2f& p) {
     return Vec2f(steep ? other : radius, steep ? radius : other) * 0.5F + Vec2f(0.5F);
 }
 
-/// Directions about +z in proportion to their cosine, by Malley's method.
+/// Directions about +z with a density proportional to their cosine (Malley's method).
 inline Vec3 cosine_hemisphere(const Vec2f& u) {
     const Vec2f d = disk(u);
     return {d.x, d.y, std::sqrt(std::max(0.0F, 1 - d.x * d.x - d.y * d.y))};
@@ -51,8 +51,8 @@ inline Vec3 cosine_hemisphere(const Vec2f& u) {
 inline float cosine_hemisphere_density(const Vec3& w) { return std::max(0.0F, w.z) / pi_f; }
 inline Vec2f cosine_hemisphere_inverse(const Vec3& w) { return disk_inverse({w.x, w.y}); }
 
-/// Directions whose z is at least 1 - `height`: equal areas of the disk go to equal areas of the
-/// cap (Archimedes). `height` in (0, 2]; small ones keep their digits.
+/// Uniform directions with z >= 1 - `height`, a spherical cap; `height` in (0, 2]. Accurate for
+/// small heights too.
 inline Vec3 cap(const Vec2f& u, float height) {
     const Vec2f d = disk(u);
     const float below = height * (d.x * d.x + d.y * d.y); // 1 - z
@@ -61,13 +61,13 @@ inline Vec3 cap(const Vec2f& u, float height) {
 }
 inline float cap_density(float height) { return 1 / (2 * pi_f * height); }
 inline Vec2f cap_inverse(const Vec3& w, float height) {
-    // 1 - z, from the sine where the cosine has no digits left.
+    // 1 - z, computed from the sine for small angles, where 1 - w.z would cancel.
     const float sine2 = w.x * w.x + w.y * w.y;
     const float below = w.z > 0 ? sine2 / (1 + w.z) : 1 - w.z;
     return disk_inverse(Vec2f(w.x, w.y) / std::sqrt(height * (2 - below)));
 }
 
-/// All directions (Archimedes' cylinder): z by u.x, the turn about it by u.y.
+/// Uniform directions (Archimedes' cylinder): u.x gives z, u.y the azimuth.
 template <class T>
 Imath::Vec3<T> sphere(const Imath::Vec2<T>& u) {
     const T z = 2 * u.x - 1;
@@ -82,7 +82,7 @@ Imath::Vec2<T> sphere_inverse(const Imath::Vec3<T>& w) {
     return {(w.z + 1) / 2, turn < 0 ? turn + 1 : turn};
 }
 
-/// A triangle, as barycentric coordinates that sum to 1 (Turk 1990); their density is 1 / area.
+/// Uniform points of a triangle as barycentric coordinates (Turk 1990); the density is 1 / area.
 template <class T>
 Imath::Vec3<T> triangle(const Imath::Vec2<T>& u) {
     const T root = std::sqrt(u.x);

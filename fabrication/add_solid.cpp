@@ -16,7 +16,7 @@ using Vec3d = Imath::V3d;
 using Box3d = Imath::Box3d;
 
 constexpr int side = DistanceField::side;
-constexpr double block_radius = 6.0622; // from a block's middle to its corners: 3.5 sqrt(3)
+constexpr double block_radius = 6.0622; // from a block's centre to its corner points: 3.5 sqrt(3)
 
 int block_floor(double at) { return static_cast<int>(std::floor(at / side)); }
 
@@ -28,7 +28,7 @@ struct Near {
     friend auto operator<=>(const Near&, const Near&) = default;
 };
 
-/// Where the line through the points (i, j, *) crosses a triangle.
+/// The crossing of the lattice line (i, j, *) with a triangle.
 struct ColumnCrossing {
     int j, i;
     LineCrossing at;
@@ -36,7 +36,7 @@ struct ColumnCrossing {
     auto order() const { return std::tuple(j, i, at.z, at.turn); }
 };
 
-/// The parts of a large mesh are gathered side by side, then joined.
+/// Gathers the items of `count` triangles in parallel pieces, joins them and sorts them.
 template <class Item, class Gather>
 std::vector<Item> gather_sorted(std::size_t count, const Gather& gather, const auto& less) {
     constexpr std::size_t piece = 4096;
@@ -104,7 +104,7 @@ class SolidAdder {
         const Box3d box = box_of(v);
         const TriangleDistance triangle(v);
         const double far = reach_ + block_radius;
-        // A block has points from its corner to 7 beyond it.
+        // The points of a block lie from its corner to 7 beyond it.
         const auto first = [&](double low) { return block_floor(low - reach_ - (side - 1)); };
         for (int z = first(box.min.z); z <= block_floor(box.max.z + reach_); ++z)
             for (int y = first(box.min.y); y <= block_floor(box.max.y + reach_); ++y)
@@ -172,13 +172,13 @@ class SolidAdder {
                 winding += line[below].at.turn;
             float& value = values[std::size_t(DistanceField::sample(x, y, z))];
             const float distance = std::sqrt(value);
-            // Never 0: which side a point is on is the winding's to say.
+            // Clamped away from 0, so that the sign is that given by the winding number.
             value = winding != 0 ? -std::clamp(distance, 1e-6F, field_.inner())
                                  : std::clamp(distance, 1e-6F, field_.outer());
         }
     }
 
-    // Blocks out of reach of all triangles whose first point is inside are inside as a whole.
+    // A block out of reach of all triangles is entirely inside if its first point is inside.
     void add_inside() {
         for (std::size_t n = 0; n < crossings_.size();) {
             const auto [i, j] = std::pair(crossings_[n].i, crossings_[n].j);
@@ -187,7 +187,7 @@ class SolidAdder {
                 winding += crossings_[n].at.turn;
                 if (winding == 0 || i % side != 0 || j % side != 0)
                     continue;
-                // Closed: while the line is inside, another crossing follows.
+                // The mesh is closed, so another crossing follows while the line is inside.
                 const double from = crossings_[n].at.z, to = crossings_[n + 1].at.z;
                 for (int z = block_floor(from) + 1; z * side <= to; ++z) {
                     const std::uint64_t key = DistanceField::key_of({i / side, j / side, z});
@@ -203,8 +203,8 @@ class SolidAdder {
     std::span<const Vec3d> positions_;
     std::span<const Mesh::Triangle> triangles_;
     double reach_;
-    std::vector<Near> near_;                // by block
-    std::vector<ColumnCrossing> crossings_; // by column, upwards
+    std::vector<Near> near_;                // sorted by block
+    std::vector<ColumnCrossing> crossings_; // sorted by column, then upwards
 };
 
 } // namespace

@@ -8,10 +8,10 @@
 
 namespace scree {
 
-/// Unites the field with the solid inside a closed mesh whose corners are given in units of the
-/// lattice: inside is where the surface winds round a point, whichever side is its front, and the
-/// distance that to the nearest triangle. From any number of threads at once; the result depends on
-/// neither their number nor the order of solids. False: there is no room for the field.
+/// Unites the field with the solid inside a closed mesh, given in units of the lattice. A point is
+/// inside if its winding number is not 0, whatever the orientation of the mesh; the distance is
+/// that to the nearest triangle. Thread-safe; the result depends neither on the number of threads
+/// nor on the order of solids. False when the field needs too much memory.
 bool add_solid(DistanceField& field, std::span<const Imath::V3d> positions,
                std::span<const Mesh::Triangle> triangles);
 

@@ -16,7 +16,7 @@ using Loop = std::vector<std::uint8_t>;
 
 constexpr int bit(int axis) { return 1 << axis % 3; }
 
-// The edge between two neighbouring corners.
+// The number of the edge between two adjacent corners.
 int edge_between(int a, int b) {
     const int lower = a & b;
     const int axis = (a ^ b) == 1 ? 0 : (a ^ b) == 2 ? 1 : 2;
@@ -24,7 +24,7 @@ int edge_between(int a, int b) {
            ((lower & bit(axis + 2)) != 0 ? 2 : 0);
 }
 
-// Corners of the face at the near or far end of an axis, counter-clockwise seen from outside.
+// The corners of the face at the near or far end of an axis, counter-clockwise seen from outside.
 std::array<int, 4> face_corners(int axis, bool far) {
     const int u = bit(axis + 1), v = bit(axis + 2);
     const int base = far ? bit(axis) : 0;
@@ -33,7 +33,7 @@ std::array<int, 4> face_corners(int axis, bool far) {
     return {base, base | v, base | u | v, base | u};
 }
 
-// A bit for each face that the edge lies in.
+// The faces that the edge lies in, as bits.
 unsigned faces_of(int edge) {
     const CellEdge e = cell_edge(edge);
     unsigned faces = 0;
@@ -42,8 +42,8 @@ unsigned faces_of(int edge) {
     return faces;
 }
 
-// The crossing that follows each on its loop: where a face's boundary comes inside the solid, the
-// surface goes to where it next leaves it.
+// For each crossing the next one on its loop: on a face, the surface connects the crossing at which
+// the face's boundary enters the solid to the next one, at which it leaves the solid.
 std::array<int, 12> next_crossings(unsigned inside) {
     std::array<int, 12> next;
     next.fill(-1);
@@ -87,13 +87,13 @@ Vec3 middle(int edge) {
     return p;
 }
 
-/// The triangulation of a loop with the least area when the crossings are in the middle of their
-/// edges (Klincsek 1980), without diagonals in a face.
+/// The minimum-area triangulation of a loop (Klincsek 1980) for crossings in the middle of their
+/// edges, without diagonals that lie in a face.
 class LoopTriangulation {
   public:
     explicit LoopTriangulation(const Loop& loop) : loop_(loop) {}
 
-    // Triangulates the polygon of the crossings first ... last, whose side last-first is given.
+    // Triangulates the polygon of the crossings first ... last and returns its area.
     float add(std::size_t first, std::size_t last, Triangles* out) const {
         if (last - first < 2)
             return 0;

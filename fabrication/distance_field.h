@@ -23,31 +23,32 @@ struct LatticePoint {
     friend auto operator<=>(const LatticePoint&, const LatticePoint&) = default;
 };
 
-/// Samples on the points of a cubic lattice of a distance to a solid's surface, negative inside, in
-/// units of the lattice; kept near the surface only, in blocks of 8 x 8 x 8 points.
+/// A signed distance to the surface of a solid, negative inside, sampled on the points of a cubic
+/// lattice, in units of the lattice. Stored sparsely, near the surface only, in blocks of 8 x 8 x 8
+/// points.
 class DistanceField {
   public:
     static constexpr int side = 8;
     static constexpr int samples = side * side * side;
-    static constexpr int limit = 1 << 19; // of a block's coordinates, either way
+    static constexpr int limit = 1 << 19; // of the absolute values of a block's coordinates
     using Values = std::array<float, samples>;
 
-    /// What is known about a block: the values of its points, or that it lies too deep inside to
-    /// have any.
+    /// A block: the values of its points, or null when it lies deeper inside than `inner`.
     struct Block {
         std::uint64_t key = 0;
         const Values* values = nullptr;
     };
 
-    /// Distances are cut off at -inner and outer, at least 1.75 each, more than the diagonal of a
-    /// cell. No more than `most_blocks` may hold values.
+    /// Distances are clamped to [-inner, outer]. Both must be at least 1.75, slightly more than the
+    /// diagonal of a cell. At most `most_blocks` blocks may have values.
     DistanceField(float inner, float outer, std::size_t most_blocks)
         : inner_(inner), outer_(outer), most_blocks_(most_blocks) {}
 
     float inner() const { return inner_; }
     float outer() const { return outer_; }
 
-    /// Identifies a block by its place, in units of 8 points; sorted by z, then y, then x.
+    /// The key of a block, whose coordinates are in units of 8 points. Keys are ordered by z, then
+    /// y, then x.
     static std::uint64_t key_of(const LatticePoint& block) {
         return std::uint64_t(block.z + limit) << 40 | std::uint64_t(block.y + limit) << 20 |
                std::uint64_t(block.x + limit);
@@ -58,14 +59,14 @@ class DistanceField {
     }
     static int sample(int x, int y, int z) { return (z * side + y) * side + x; }
 
-    /// Takes the smaller of the values there and those given: the union with another solid. From
-    /// any number of threads at once, in any order. False: there is no room for the block.
+    /// The union with another solid: takes the minimum of the stored and the given values.
+    /// Thread-safe and independent of order. False when there are too many blocks.
     bool unite(std::uint64_t key, const Values& values);
 
-    /// The same for a block that lies wholly inside another solid, deeper than `inner`.
+    /// The same for a block that lies entirely inside another solid, deeper than `inner`.
     void unite_inside(std::uint64_t key);
 
-    /// All blocks that are not wholly outside, sorted by key; while nothing is added.
+    /// All blocks that are not entirely outside, sorted by key. Invalidated by further unions.
     std::vector<Block> blocks() const;
 
   private:

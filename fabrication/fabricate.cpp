@@ -18,14 +18,14 @@ namespace scree {
 
 namespace {
 
-// Within which distances must be right: a cell's diagonal, and a little.
+// The distances must be exact within this many cells of the surface: a cell's diagonal and a bit.
 constexpr float margin = 1.75F;
-// About 8 KiB a block for its values, its share of the surface, and what is made of that.
+// About 8 KiB per block for its values and its share of the surface and the mesh.
 constexpr std::size_t bytes_per_block = 8192;
-// In cells; beyond, 32-bit coordinates, rounded as metres and as millimetres, might not tell
-// vertices a fiftieth of a cell apart.
+// In cells. With larger coordinates, vertices a fiftieth of a cell apart could become equal when
+// rounded to 32 bits in metres or millimetres.
 constexpr double farthest_cell = 30'000;
-// In cells; the work grows with its cube.
+// In cells. The time grows with its cube.
 constexpr double widest_bridge = 16;
 
 std::size_t available_memory() {
@@ -90,7 +90,7 @@ class Fabricator {
                                             length_text(2 * cell_))}});
     }
 
-    // The surface at `reach` cells from the union.
+    // The surface at a distance of `reach` cells from the union.
     LevelSurface unite(double reach) {
         DistanceField field(margin, float(reach) + margin, memory_ / bytes_per_block);
         std::atomic<bool> room = true;
@@ -129,7 +129,7 @@ class Fabricator {
 
     double in_metres(double cells) const { return cells * cell_ * cell_ * cell_; }
 
-    // What is in a void is in the body too once that is filled.
+    // A body inside a void disappears when the void is filled.
     bool is_part(const Shell& shell) const {
         return !shell.is_void() && (options_.keep_voids || shell.parent == Shell::none);
     }

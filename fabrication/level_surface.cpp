@@ -17,7 +17,7 @@ namespace {
 constexpr int side = DistanceField::side;
 constexpr int samples = DistanceField::samples;
 
-/// The values of a block's points and of those next to it that its cells and edges reach.
+/// The values of a block's points and of the adjacent points that its cells and edges use.
 class Samples {
   public:
     float& at(int x, int y, int z) { return values_[std::size_t((z * 9 + y) * 9 + x)]; }
@@ -27,7 +27,7 @@ class Samples {
     std::array<float, 9 * 9 * 9> values_;
 };
 
-/// The edges that begin in a block and cross the surface: a bit each, by axis and sample.
+/// The edges that begin in a block and cross the surface, as bits by axis and sample.
 struct Crossed {
     static constexpr std::size_t words = 3 * samples / 64;
     std::array<std::uint64_t, words> bits{};
@@ -49,7 +49,7 @@ struct Crossed {
     }
 };
 
-/// A block that has values, and the seven after it: by bits as a cell's corners.
+/// A block that has values and the seven adjacent ones, numbered as the corners of a cell.
 struct Neighbourhood {
     std::array<std::int64_t, 8> blocks; // index in the sorted list; -1: outside
 };
@@ -84,7 +84,7 @@ class Polygoniser {
         for (int n = 0; n < 8; ++n) {
             const std::uint64_t key =
                 DistanceField::key_of({at.x + (n & 1), at.y + (n >> 1 & 1), at.z + (n >> 2)});
-            // Rows of blocks lie together: most neighbours are found at once.
+            // Blocks are sorted by rows, so most neighbours are adjacent in the list.
             const auto from = blocks_.begin() + std::int64_t(b);
             const auto found = n == 0 ? from
                                       : std::lower_bound(from, blocks_.end(), key,
@@ -188,11 +188,11 @@ class Polygoniser {
         });
     }
 
-    // Of the edge that begins at a point of a block or one beyond it.
+    // The vertex on the edge that begins at a point of a block or at most one beyond it.
     std::uint32_t vertex_at(const Neighbourhood& neighbours, int x, int y, int z, int axis) const {
         const int n = x / side + 2 * (y / side) + 4 * (z / side);
         const std::int64_t b = neighbours.blocks[std::size_t(n)];
-        assert(b >= 0); // where the sign changes, all points near have values
+        assert(b >= 0); // near a sign change all points have values
         const auto sample = DistanceField::sample(x % side, y % side, z % side);
         return std::uint32_t(first_vertex_[std::size_t(b)]) +
                crossed_[std::size_t(b)].rank(std::size_t(axis * samples + sample));

@@ -6,7 +6,8 @@
 
 namespace scree {
 
-/// A vertex on a lattice line along z, which closed surfaces cross in turn: in, out, in, out.
+/// A vertex on a lattice line parallel to z. Along a line, the crossings of closed surfaces
+/// alternate between entering and leaving.
 struct LineVertex {
     int x = 0;
     int y = 0;
@@ -20,11 +21,11 @@ struct LevelSurface {
     std::vector<LineVertex> line_vertices;
 };
 
-/// The surface where the field has the value `level`, outward normals towards higher values. It is
-/// a closed 2-manifold that does not meet itself, whatever the field: a vertex per crossed edge of
-/// the lattice, never nearer to its ends than a fiftieth, and in each cell the triangles of
-/// cell_surface. The level is at least 1.75 within the field's limits, or 0. Throws Error
-/// (resource) for more vertices than 32 bits count.
+/// The level set of the field at `level`, facing higher values. For any field it is a closed
+/// 2-manifold without self-intersections: it has one vertex on each lattice edge that it crosses,
+/// at least a fiftieth of the edge away from its ends, and in each cell the triangles of
+/// cell_surface. The level must be 0 or at least 1.75 inside the field's limits. Throws Error
+/// (resource) for more vertices than 32-bit indices allow.
 LevelSurface level_surface(const DistanceField& field, double level);
 
 } // namespace scree

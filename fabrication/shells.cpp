@@ -11,7 +11,7 @@ namespace scree {
 
 namespace {
 
-/// Disjoint sets whose name is their lowest member.
+/// Union-find; the representative of a set is its smallest member.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -53,7 +53,7 @@ Shells label(const LevelSurface& surface) {
 }
 
 void measure(const LevelSurface& surface, Shells& shells) {
-    // From the shell's own first vertex, so that volumes far from the origin keep their digits.
+    // Relative to each shell's first vertex, so that volumes far from the origin stay accurate.
     std::vector<Imath::V3d> origin(shells.list.size());
     for (std::size_t v = shells.of_vertex.size(); v-- > 0;)
         origin[shells.of_vertex[v]] = surface.positions[v];
@@ -67,7 +67,8 @@ void measure(const LevelSurface& surface, Shells& shells) {
     }
 }
 
-// Upwards along a line of the lattice, the shells that one is inside are nested.
+// Finds each shell's parent with a stack of the shells that are entered and not left along the
+// lattice lines.
 void nest(const LevelSurface& surface, Shells& shells) {
     std::vector<LineVertex> vertices = surface.line_vertices;
     parallel_sort(vertices.begin(), vertices.end(), [](const LineVertex& a, const LineVertex& b) {

@@ -12,7 +12,7 @@ namespace scree {
 namespace {
 
 double thickness(const Solid& solid, const Vec3& size) {
-    // Per axis, so that a mesh that is only squeezed counts as thin.
+    // Per axis, so that a mesh squeezed along one axis counts as thin.
     double least = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
         const Vec3 row(solid.world_from_object[axis][0], solid.world_from_object[axis][1],

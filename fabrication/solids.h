@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// A closed mesh where it stands in the world.
+/// An instance of a closed mesh.
 struct Solid {
     const Mesh* mesh = nullptr;
     Matrix world_from_object;
@@ -16,11 +16,11 @@ struct Solid {
 /// All instances of closed components.
 std::vector<Solid> closed_solids(std::span<const Aggregate> aggregates);
 
-/// The smallest of all solids' thicknesses, each the shortest side of its mesh's bounding box in
-/// its own frame times its scale [m]; infinite when there is none.
+/// The smallest thickness of the solids [m]: the shortest side of the mesh's bounding box in object
+/// space times the scale. Infinite when there are none.
 double thinnest(std::span<const Solid> solids);
 
-/// The largest coordinate of any, either way [m].
+/// The largest absolute coordinate of the solids [m].
 double farthest(std::span<const Solid> solids);
 
 } // namespace scree

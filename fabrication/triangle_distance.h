@@ -9,7 +9,8 @@
 
 namespace scree {
 
-/// Distances to one triangle, in 32 bits from its first corner, so that it may lie anywhere.
+/// Distances to a triangle, computed in single precision relative to its first corner, so that they
+/// are accurate anywhere.
 class TriangleDistance {
   public:
     explicit TriangleDistance(const std::array<Imath::V3d, 3>& corners)
@@ -24,7 +25,7 @@ class TriangleDistance {
         }
     }
 
-    /// The lower bound that the triangle's plane gives.
+    /// The distance to the triangle's plane, a lower bound.
     double plane_distance(const Imath::V3d& p) const {
         return std::abs((p - first_).dot(Imath::V3d(plane_)));
     }
@@ -34,8 +35,8 @@ class TriangleDistance {
         return std::sqrt(double(squared(v.x, v.y, v.z)));
     }
 
-    /// Lowers each of lowest[0..3] to the squared distance of p, p + (1, 0, 0), ... p + (3, 0, 0),
-    /// unless the triangle's plane is farther than `reach` from all of them.
+    /// Sets each of lowest[0..3] to its minimum with the squared distance of p, p + (1, 0, 0), ...,
+    /// p + (3, 0, 0), unless all of them are farther than `reach` from the triangle's plane.
     void lower_four(const Imath::V3d& p, float reach, float* lowest) const {
         const Vec3 v(p - first_);
         const float from = v.dot(plane_), to = from + 3 * plane_.x;
@@ -68,7 +69,7 @@ class TriangleDistance {
         const Number x2 = x - third_.x, y2 = y - third_.y, z2 = z - third_.z;
         const Number edges =
             smaller(smaller(to_side(0, x, y, z), to_side(1, x1, y1, z1)), to_side(2, x2, y2, z2));
-        // A triangle without area has no normal, and none of these is positive.
+        // For a degenerate triangle the normal is 0, so none of these is positive.
         const Number inside = smaller(smaller(s0, s1), s2);
         const Number flat = plane * plane;
         return inside > Number{} ? flat : edges;

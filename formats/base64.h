@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// The bytes in the alphabet of RFC 4648, padded, in one line.
+/// Base64 of RFC 4648, padded, without line breaks.
 std::string base64(std::string_view bytes);
 
 } // namespace scree

@@ -5,9 +5,8 @@
 
 namespace scree {
 
-/// The display-encoded colour of an element in a drawing: its material's own where that is one
-/// colour, or one of a palette; where it has none, is glass or comes from a procedural, the
-/// component's of `palette_color`.
+/// The display-encoded colour of an element in a drawing: that of its material when it is uniform,
+/// otherwise (no material, glass, a procedural) the `palette_color` of its prototype.
 Color element_color(const Aggregate& aggregate, const Instance& instance);
 
 } // namespace scree

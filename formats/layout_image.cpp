@@ -12,7 +12,7 @@ namespace scree {
 
 namespace {
 
-// The look of a layout that is no texture, display-encoded.
+// Display-encoded colours of a layout that is not a texture.
 const Color paper(1.0F, 1.0F, 1.0F);
 const Color ground(0.955F, 0.95F, 0.94F);
 const Color edge(0.2F, 0.2F, 0.22F);
@@ -43,7 +43,8 @@ class LayoutImage {
         }
         if (aggregate.background && aggregate.domain)
             draw_background(aggregate);
-        // Copies beside their element: what lies over what is the same on both sides of a seam.
+        // All copies of an element are drawn before the next element, so that the order of
+        // overlapping elements is the same on both sides of a seam.
         for (const Instance& instance : aggregate.instances)
             for (const Vec2& shift : picture_shifts(aggregate))
                 if (is_seen(aggregate, instance, shift))

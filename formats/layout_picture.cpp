@@ -28,15 +28,15 @@ Box2 picture_box(std::span<const Aggregate> aggregates) {
         if (aggregate.domain)
             box.extendBy(bounds(*aggregate.domain));
         if (aggregate.domain && (aggregate.torus || aggregate.texture))
-            continue; // nothing is drawn outside
+            continue; // nothing is drawn outside the domain
         for (const Instance& instance : aggregate.instances) {
             const Prototype& prototype = aggregate.prototypes[instance.prototype];
             if (prototype.region)
                 box.extendBy(bounds(ground_region(*prototype.region, instance.world_from_object)));
             if (prototype.picture) {
-                const Box2& own = prototype.picture->box;
-                for (const Vec2& corner :
-                     {own.min, own.max, Vec2(own.min.x, own.max.y), Vec2(own.max.x, own.min.y)})
+                const Box2& area = prototype.picture->box;
+                for (const Vec2& corner : {area.min, area.max, Vec2(area.min.x, area.max.y),
+                                           Vec2(area.max.x, area.min.y)})
                     box.extendBy(ground_point(corner, instance.world_from_object));
             }
         }
@@ -66,9 +66,9 @@ bool is_seen(const Aggregate& aggregate, const Instance& instance, const Vec2& s
     if (!aggregate.domain || !(aggregate.torus || aggregate.texture))
         return true;
     const Matrix& m = instance.world_from_object;
-    const double scale = // at least the matrix's norm
+    const double scale = // the Frobenius norm, an upper bound of the scale
         std::hypot(std::hypot(m[0][0], m[0][2]), std::hypot(m[2][0], m[2][2]));
-    double reach = 0; // from the origin of the prototype
+    double reach = 0; // radius of the bounding circle about the prototype's origin
     for (const Vec2& corner :
          {box.min, box.max, Vec2(box.min.x, box.max.y), Vec2(box.max.x, box.min.y)})
         reach = std::max(reach, corner.length() * scale);

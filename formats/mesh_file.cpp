@@ -13,7 +13,7 @@ namespace scree {
 
 namespace {
 
-// "did you mean bunny.obj?" for a file that is not there but nearly is.
+// "did you mean bunny.obj?" for a missing file with a similarly named neighbour.
 std::string near_file(const std::string& path) {
     std::vector<std::string> names;
     std::error_code code;
@@ -21,7 +21,7 @@ std::string near_file(const std::string& path) {
     for (const auto& entry :
          std::filesystem::directory_iterator(folder.empty() ? "." : folder, code))
         names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end()); // folders list in no order
+    std::sort(names.begin(), names.end()); // folders are listed in unspecified order
     return did_you_mean(file_name(path), names);
 }
 
@@ -70,20 +70,20 @@ Registry<Mesh(const Params& params)> mesh_file_table() {
              .doc = "The file: .obj, .ply, .stl, .gltf, .glb or .3ds."},
             {.name = "size",
              .type = ParamType::number,
-             .doc = "Scale so that the longest side of its box is this long, and stand it on y = 0 "
-                    "with the y axis in the middle; without it the mesh stays as it is.",
+             .doc = "Longest side of the mesh's bounding box after scaling; the mesh is also moved "
+                    "to stand on y = 0, centred on the y axis. Unchanged when not given.",
              .unit = "m",
              .optional = true,
              .min = 1e-6,
              .max = 1e6},
             {.name = "up",
              .type = ParamType::choice,
-             .doc = "The file's axis that points up.",
+             .doc = "Which axis of the file points up.",
              .fallback = std::string("y"),
              .choices = {"y", "z"}},
             {.name = "crease",
              .type = ParamType::number,
-             .doc = "Where the file has no normals, edges that bend more than this stay sharp.",
+             .doc = "Edges that bend more than this stay sharp; for files without normals.",
              .unit = "deg",
              .fallback = 40.0,
              .min = 0.0,

@@ -5,7 +5,7 @@
 
 namespace scree {
 
-/// A place in a file for printers: millimetres, and z is up, which y is here.
+/// Converts a position from metres with y up to millimetres with z up, as printers take it.
 inline Vec3 printer_position(const Vec3& p) {
     return {float(double(p.x) * 1000), float(double(p.z) * -1000), float(double(p.y) * 1000)};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 3D Studio's binary format: chunks of a 16-bit kind, a 32-bit length with its six bytes of header,
-// and what they hold. All meshes are merged; their vertices are in the scene's frame already.
+// 3D Studio's binary format: chunks of a 16-bit kind, a 32-bit length that includes these six
+// bytes, and the content. All meshes are merged; their vertices are in the scene's frame.
 #include "formats/read_mesh.h"
 
 #include "core/error.h"
@@ -23,7 +23,7 @@ enum Kind : std::uint16_t {
     map_coordinates = 0x4140,
 };
 
-// Takes numbers off the front; never reads beyond its bytes.
+// Reads numbers one after the other with bounds checks.
 class Bytes {
   public:
     explicit Bytes(std::string_view bytes) : rest_(bytes) {}
@@ -93,7 +93,7 @@ void finish_part(Mesh& mesh, Mesh part) {
     append(mesh, part);
 }
 
-// The kinds nest in one order only, so that the recursion ends.
+// Each kind of chunk is entered from one parent kind only, so the recursion ends.
 void read_chunks(Bytes bytes, std::uint16_t parent, Mesh& mesh) {
     while (!bytes.empty()) {
         const auto kind = bytes.number<std::uint16_t>();

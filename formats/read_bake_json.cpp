@@ -16,9 +16,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double max_coordinate = 1e9; // [m]; beyond, squares of areas lose all their digits
+constexpr double max_coordinate = 1e9; // [m]; larger ones lose all precision in squared areas
 
-/// A value with the way to it, for messages: "aggregates[0].instances[3].matrix".
+/// A JSON value with its path for error messages: "aggregates[0].instances[3].matrix".
 struct Located {
     const Json& json;
     const std::string& file;
@@ -146,7 +146,7 @@ std::vector<Aggregate> read_bake_json(const std::string& text, const std::string
     try {
         root = Json::parse(text);
     } catch (const Json::exception& failure) {
-        // The library's words differ between versions; the place is what helps.
+        // The library's message differs between versions; only the position is reported.
         const auto* problem = dynamic_cast<const Json::parse_error*>(&failure);
         const std::size_t byte = problem != nullptr ? problem->byte : 0;
         const auto end = text.begin() + std::ptrdiff_t(std::min(byte, text.size()));

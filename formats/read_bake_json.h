@@ -9,12 +9,12 @@
 
 namespace scree {
 
-/// Whether the text is meant as a baked file rather than as a scene: it has the key `aggregates`.
+/// Whether a JSON text is a baked file rather than a scene: whether it has the key `aggregates`.
 bool is_bake_json(std::string_view text);
 
-/// The aggregates of a baked file (docs/formats.md). Regions and domains have rings only, no
-/// triangles, and prototypes no mesh. Throws Error (input) that names the file and the key: not
-/// JSON, keys missing or of another kind, numbers out of range, indices beyond the prototypes.
+/// Reads the aggregates of a baked file (docs/formats.md). Regions and domains have rings but no
+/// triangles; prototypes have no mesh. Throws Error (input) naming the file and the key for invalid
+/// JSON, missing keys, wrong types, numbers out of range and invalid prototype indices.
 std::vector<Aggregate> read_bake_json(const std::string& text, const std::string& path);
 
 } // namespace scree

@@ -13,11 +13,11 @@ namespace scree {
 
 namespace {
 
-constexpr int depth_limit = 64;                   // of the node tree; a forged one may be a ring
-constexpr std::size_t vertex_limit = 100'000'000; // nodes repeat a mesh without any bytes of theirs
-constexpr int nesting_limit = 200; // of the JSON, which the library reads recursively
+constexpr int depth_limit = 64; // of the node tree, which may have cycles in a malicious file
+constexpr std::size_t vertex_limit = 100'000'000; // nodes can repeat a mesh at no cost in bytes
+constexpr int nesting_limit = 200; // of the JSON, which the library parses recursively
 
-// Positions of a strided accessor after every bound has been checked.
+// The elements of a strided accessor, whose bounds are all checked.
 struct View {
     const unsigned char* data = nullptr;
     std::size_t stride = 0;
@@ -114,7 +114,7 @@ Mesh primitive_mesh(const tinygltf::Model& model, const tinygltf::Primitive& pri
 
 Matrix node_matrix(const tinygltf::Node& node) {
     Matrix matrix;
-    if (node.matrix.size() == 16) { // column-major for column vectors: Imath's rows
+    if (node.matrix.size() == 16) { // column-major for column vectors, as Imath's rows
         for (int i = 0; i < 16; ++i)
             matrix[i / 4][i % 4] = static_cast<float>(node.matrix[std::size_t(i)]);
         return matrix;
@@ -142,7 +142,7 @@ Matrix node_matrix(const tinygltf::Node& node) {
     return matrix;
 }
 
-// Keeps only what both have: normals and UVs must belong to every vertex.
+// Normals and UVs are kept only when both meshes have them.
 void merge(Mesh& mesh, Mesh part) {
     const bool first = mesh.positions.empty();
     if (part.normals.size() != part.positions.size() || (!first && mesh.normals.empty())) {
@@ -192,12 +192,12 @@ class Collector {
 
   private:
     const tinygltf::Model& model_;
-    std::size_t visits_ = 0; // a tree visits every node once
+    std::size_t visits_ = 0; // at most the number of nodes in a tree
 };
 
 bool ignore_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
                   const unsigned char*, int, void*) {
-    return true; // only the shape is wanted, and image decoders are doors for forged files
+    return true; // only shapes are read, and image decoders are a risk with malicious files
 }
 
 void check_nesting(std::string_view json) {
@@ -216,7 +216,7 @@ void check_nesting(std::string_view json) {
     }
 }
 
-// The JSON chunk of a binary file: 12 bytes of header, its length, its kind.
+// The JSON chunk of a binary file, after a header of 12 bytes, its length and its kind.
 std::string_view json_part(std::string_view bytes) {
     if (!bytes.starts_with("glTF"))
         return bytes;
@@ -227,7 +227,7 @@ std::string_view json_part(std::string_view bytes) {
     return bytes.substr(20, length);
 }
 
-// Buffers are read by core's reader, which knows folders and limits.
+// Buffers are read by read_file, which checks for folders and limits the size.
 bool read_buffer(std::vector<unsigned char>* out, std::string* problem, const std::string& path,
                  void*) {
     try {
@@ -242,7 +242,7 @@ bool read_buffer(std::vector<unsigned char>* out, std::string* problem, const st
 
 bool is_regular_file(const std::string& path, void*) {
     std::error_code code;
-    return std::filesystem::is_regular_file(path, code); // no pipes and devices
+    return std::filesystem::is_regular_file(path, code); // not pipes or devices
 }
 
 template <class Callbacks>
@@ -282,7 +282,7 @@ Mesh read_gltf(std::string_view bytes, const std::string& folder) {
                                                size, folder)
                  : loader.LoadASCIIFromString(&model, &errors, &warnings, bytes.data(), size,
                                               folder);
-    } catch (const std::exception& problem) { // of the JSON library inside
+    } catch (const std::exception& problem) { // thrown by its JSON library
         errors = problem.what();
     }
     if (!ok)

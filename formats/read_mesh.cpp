@@ -26,10 +26,10 @@ Mesh read_by_ending(const std::string& path, std::string_view bytes) {
     throw Error("is not a mesh that can be read; expected .obj, .ply, .stl, .gltf, .glb or .3ds");
 }
 
-// Products of three lengths must stay finite in single precision.
+// Products of three coordinates must stay finite in single precision.
 constexpr float largest_position = 1e12F;
 
-// What every reader's mesh must be before anyone may index into it.
+// Checks a reader's mesh: indices in range, positions finite, normals and UVs valid or dropped.
 void check(Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         if (!is_finite(mesh.positions[i]))
@@ -60,7 +60,7 @@ void check(Mesh& mesh) {
 } // namespace
 
 Mesh read_mesh(const std::string& path) {
-    return read_mesh_bytes(path, read_file(path)); // whose errors name the file already
+    return read_mesh_bytes(path, read_file(path)); // errors of read_file already name the file
 }
 
 Mesh read_mesh_bytes(const std::string& path, std::string_view bytes) {
@@ -73,7 +73,7 @@ Mesh read_mesh_bytes(const std::string& path, std::string_view bytes) {
         throw Error(path + ": " + problem.diagnostics().front().message);
     } catch (const std::bad_alloc&) {
         throw Error::resource(path + ": there is not enough memory to read it");
-    } catch (const std::exception& problem) { // of a library
+    } catch (const std::exception& problem) { // thrown by a library
         throw Error(path + ": it is damaged: " + problem.what());
     }
 }

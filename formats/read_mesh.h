@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files, one reader a format. All are given the file's bytes and must hold against any bytes.
+// Mesh files, one reader per format. The readers take the file's bytes, which may be malicious.
 #pragma once
 
 #include "geometry/mesh/mesh.h"
@@ -9,20 +9,20 @@
 
 namespace scree {
 
-/// Reads an OBJ, PLY, STL, glTF (.gltf, .glb) or 3DS file by its ending. Positions are finite,
-/// indices in range and there is at least one triangle; normals and UVs are kept where the file has
-/// them for every vertex. Throws Error (input) that begins with the path.
+/// Reads an OBJ, PLY, STL, glTF (.gltf, .glb) or 3DS file, chosen by its extension. Positions are
+/// finite, indices in range and there is at least one triangle; normals and UVs are kept if the
+/// file has them for every vertex. Throws Error (input) that begins with the path.
 Mesh read_mesh(const std::string& path);
 
-/// The same for bytes at hand, as if `path` held them.
+/// The same for given bytes, as if they were the content of `path`.
 Mesh read_mesh_bytes(const std::string& path, std::string_view bytes);
 
-/// The readers behind it; they throw Error (input) that says what is wrong, without the name.
+/// The readers of the formats. They throw Error (input) without the file's name.
 Mesh read_obj(std::string_view bytes);
 Mesh read_ply(std::string_view bytes);
 Mesh read_stl(std::string_view bytes);
 Mesh read_3ds(std::string_view bytes);
-/// `folder` is where a .gltf finds its buffers.
+/// `folder` contains the buffers of a .gltf file.
 Mesh read_gltf(std::string_view bytes, const std::string& folder);
 
 } // namespace scree

@@ -14,7 +14,7 @@ namespace scree {
 
 namespace {
 
-// OBJ indexes positions, normals and UVs apart; a vertex here is one combination of the three.
+// OBJ indexes positions, normals and UVs separately; each combination used becomes one vertex.
 class Vertices {
   public:
     explicit Vertices(const tinyobj::attrib_t& attributes) : attributes_(attributes) {}
@@ -57,7 +57,7 @@ class Vertices {
     std::map<std::tuple<int, int, int>, std::uint32_t> known_;
 };
 
-// The library reads a position that is not a number as 0.
+// Rejects positions that are not numbers, which the library reads as 0.
 void check_numbers(std::string_view bytes) {
     int line = 0;
     while (!bytes.empty()) {
@@ -85,7 +85,8 @@ Mesh read_obj(std::string_view bytes) {
     std::vector<tinyobj::material_t> materials;
     std::string warnings;
     std::string errors;
-    // Faces are cut into triangles by us: the library's own ear clipping reads beyond forged faces.
+    // Faces are triangulated here: the library's ear clipping reads out of bounds for invalid
+    // faces.
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warnings, &errors, &in, nullptr,
                           false))
         throw Error(errors.empty() ? "it is damaged" : errors.substr(0, errors.find('\n')));
@@ -94,7 +95,7 @@ Mesh read_obj(std::string_view bytes) {
         std::size_t corners_in_all = 0;
         for (const auto corners : shape.mesh.num_face_vertices)
             corners_in_all += corners;
-        if (corners_in_all != shape.mesh.indices.size()) // older versions count in one byte
+        if (corners_in_all != shape.mesh.indices.size()) // older versions count corners in a byte
             throw Error("it has a face of more than 255 corners");
         std::size_t first = 0;
         for (const auto corners : shape.mesh.num_face_vertices) {

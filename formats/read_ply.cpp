@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PLY (Turk 1994): ASCII and both binary byte orders. Never allocates by a count that the file has
-// not the bytes for.
+// PLY (Turk 1994): ASCII and both binary byte orders. Counts are checked against the size of the
+// file before memory is allocated for them.
 #include "formats/read_mesh.h"
 
 #include "core/error.h"
@@ -35,7 +35,7 @@ struct Element {
 struct Header {
     Encoding encoding = Encoding::ascii;
     std::vector<Element> elements;
-    std::size_t size = 0; // where the data begin
+    std::size_t size = 0; // [bytes]
 };
 
 Scalar scalar_type(const std::string& name) {
@@ -109,7 +109,7 @@ Header parse_header(std::string_view bytes) {
     throw Error("its header has no end");
 }
 
-// Reads one number after the other, in any of the three encodings.
+// Reads numbers one after the other in any of the three encodings.
 class Reader {
   public:
     Reader(std::string_view bytes, Encoding encoding) : rest_(bytes), encoding_(encoding) {}
@@ -176,7 +176,7 @@ class Reader {
     Encoding encoding_;
 };
 
-// Where a value of a vertex goes; -1: nowhere.
+// The index of a vertex property among those that are kept; -1: ignored.
 int vertex_slot(const std::string& name) {
     static const std::pair<const char*, int> slots[] = {
         {"x", 0}, {"y", 1}, {"z", 2}, {"nx", 3}, {"ny", 4},        {"nz", 5},
@@ -189,7 +189,7 @@ int vertex_slot(const std::string& name) {
 
 std::size_t list_length(Reader& reader, Scalar type) {
     const double count = reader.number(type);
-    // Every item takes at least one byte, in any encoding.
+    // Every item takes at least one byte in all encodings.
     if (!(count >= 0 && count == std::floor(count)) || count > double(reader.remaining()))
         throw Error("it has a list of an impossible length");
     return static_cast<std::size_t>(count);

@@ -15,7 +15,7 @@ namespace scree {
 
 namespace {
 
-constexpr std::size_t header_size = 84; // 80 bytes of text and the count
+constexpr std::size_t header_size = 84; // 80 bytes of text and the number of triangles
 constexpr std::size_t record_size = 50;
 
 bool is_binary(std::string_view bytes) {
@@ -23,12 +23,12 @@ bool is_binary(std::string_view bytes) {
         return false;
     std::uint32_t count = 0;
     std::memcpy(&count, bytes.data() + 80, sizeof count);
-    // The size decides: many binary files begin with "solid" too.
+    // Decided by the size, since many binary files begin with "solid" too.
     return bytes.size() == header_size + record_size * std::size_t{count} ||
            !bytes.starts_with("solid");
 }
 
-// The reader believes the count, so it must be true before it sees the file.
+// Checks the number of triangles, since CGAL's reader does not.
 void check_binary_size(std::string_view bytes) {
     std::uint32_t count = 0;
     std::memcpy(&count, bytes.data() + 80, sizeof count);

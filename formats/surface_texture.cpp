@@ -24,8 +24,8 @@ ShadingPoint shading_point(const UvRaster& raster, std::uint32_t texel) {
     return point;
 }
 
-// The normal of a surface moved by the height: n minus the gradient along the surface (Mikkelsen
-// 2010), in the frame's axes.
+// The normal of the surface displaced by the height, in the tangent frame: n minus the surface
+// gradient (Mikkelsen 2010).
 Vec3 bent_normal(const UvAxes& axes, const Vec3& slope) {
     return Vec3(-slope.dot(axes.tangent), -slope.dot(axes.bitangent), 1.0F).normalized();
 }

@@ -6,9 +6,10 @@
 
 namespace scree {
 
-/// A procedural as a texture over its mesh's UVs: each covered texel holds the mean over what it
-/// covers of the surface, all others the nearest covered one's. A normal is relative to the mesh's
-/// `UvFrames`, x along u and y along v (OpenGL's way), and from [-1, 1] brought to [0, 1].
+/// Bakes a procedural to a texture over the mesh's UVs. Each covered texel holds the filtered value
+/// of its part of the surface; all others copy the nearest covered texel. Normals are in the
+/// tangent frames of the mesh's `UvFrames`, x along u and y along v (OpenGL convention), mapped
+/// from [-1, 1] to [0, 1].
 Image surface_texture(const TextureSource& source, const UvRaster& raster, TextureChannel channel,
                       const Context& context);
 

@@ -3,10 +3,10 @@
 
 #include "core/display_encoding.h"
 #include "core/file.h"
-#include "formats/bake_json.h"
 #include "formats/element_color.h"
 #include "formats/layout_picture.h"
 #include "formats/write_3mf.h"
+#include "formats/write_bake_json.h"
 #include "formats/write_stl.h"
 
 namespace scree {

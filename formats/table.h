@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that scenes are written to, and what of other programs' files a scene can name.
+// The table of formats that scenes are written to, and the meshes that scenes read from files.
 #pragma once
 
 #include "core/registry.h"
@@ -10,23 +10,23 @@
 
 namespace scree {
 
-/// mesh.file: a mesh read from OBJ, PLY, STL or glTF by its ending. Errors (missing file, damaged
-/// file, open mesh where a closed one is asked for, NaN positions) name the script's line.
+/// mesh.file: a mesh read from OBJ, PLY, STL, glTF or 3DS. Errors (missing or corrupt file, an open
+/// mesh where a closed one is required, NaN positions) are located at the script's line.
 Registry<Mesh(const Params& params)> mesh_file_table();
 
-/// What of a scene a format holds, and so what its writer is given.
+/// Which part of a scene a format holds, and its writer is given.
 enum class Holds {
-    generated, // what generators made: the scene comes without single objects
-    solid      // likewise, and its components united to one closed surface
+    generated, // the output of generators: the scene without single objects
+    solid      // the same, and the union of its components as one closed surface
 };
 
-/// What a writer gets beside the scene.
+/// Options of a writer.
 struct ExportOptions {
     int pixels = 1600;           // of the longer side of a picture
-    const Mesh* solid = nullptr; // what Holds::solid asks for [m]
+    const Mesh* solid = nullptr; // the union of the components, for Holds::solid [m]
 };
 
-/// A file format, by the ending of its files.
+/// A file format, chosen by the file's extension.
 struct SceneFormat {
     std::string ending; // "json"
     Holds holds;

@@ -15,17 +15,17 @@ namespace {
 
 using Vec3d = Imath::V3d;
 
-// A thick slice is the mean of so many cuts: ShadingPoint has two directions to filter over, and
-// these take out the first three multiples of the voxels' own frequency along the third.
-constexpr int layers = 4;
+// A thick slice is the mean of this many cuts. ShadingPoint filters over two directions only; the
+// mean over the third cancels the first three harmonics of the voxels' sampling frequency.
+constexpr int cuts_per_slice = 4;
 
-constexpr int gap = 4; // between the pictures of a sheet [pixels]
+constexpr int gap = 4; // between the pictures of a contact sheet [pixels]
 
 struct Axes {
     Vec3d right, down;
 };
 
-// Right times up is the axis, so that one looks at the front of each cut.
+// The cross product of right and up is the axis, so that the axis points to the viewer.
 Axes axes_across(int axis) {
     static const std::array<Axes, 3> table{
         {{{0, 0, -1}, {0, -1, 0}}, {{1, 0, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, -1, 0}}}};
@@ -40,7 +40,8 @@ Vec3d unit_vector(int axis) {
 
 double along(const Vec3d& direction, const Vec3d& size) { return std::abs(direction.dot(size)); }
 
-// Fills a box of `extent` about `centre` with the stack's pixels.
+// Sets the stack's first pixel and steps so that its pixels fill a box of size `extent` about
+// `centre`.
 void place(SliceStack& stack, const Vec3d& centre, const Vec3d& extent) {
     const Axes axes = axes_across(stack.axis);
     const Vec3d towards = unit_vector(stack.axis);
@@ -104,7 +105,7 @@ SliceStack slices_of(const VoxelGrid& grid, int axis) {
 std::vector<ShadingSample> slice_samples(const TextureSource& source, const SliceStack& stack,
                                          int slice, const HeldPixels& held,
                                          const Context& context) {
-    const int cuts = stack.thick ? layers : 1;
+    const int cuts = stack.thick ? cuts_per_slice : 1;
     const auto share = 1 / static_cast<float>(cuts);
     ShadingPoint point;
     const bool wide = stack.right.length2() > stack.down.length2();
@@ -182,9 +183,9 @@ std::string slice_name(const SliceStack& stack, int slice) {
 Image contact_sheet(std::span<const Image> slices) {
     const int width = slices.front().width, height = slices.front().height;
     const int count = static_cast<int>(slices.size());
-    // As near to a square as whole rows allow.
-    const double wish = std::sqrt(double(count) * (height + gap) / (width + gap));
-    const int columns = std::clamp(static_cast<int>(std::lround(wish)), 1, count);
+    // The number of columns that makes the sheet about square.
+    const double square = std::sqrt(double(count) * (height + gap) / (width + gap));
+    const int columns = std::clamp(static_cast<int>(std::lround(square)), 1, count);
     const int rows = (count + columns - 1) / columns;
     Image sheet(columns * (width + gap) - gap, rows * (height + gap) - gap,
                 slices.front().channels);

@@ -10,7 +10,7 @@ namespace scree {
 
 namespace {
 
-// Large enough to keep a device busy, small beside the texture: about 25 MB.
+// Points per block: enough to keep a device busy, about 25 MB.
 constexpr std::size_t block_size = std::size_t{1} << 18;
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the baking of procedurals to files shares.
+// Shared by all ways of baking procedurals to files.
 #pragma once
 
 #include "core/context.h"
@@ -13,13 +13,13 @@
 
 namespace scree {
 
-/// What of a procedural a file holds.
+/// The part of a procedural's samples that a file holds.
 enum class TextureChannel { color, height, roughness, value, normal };
 
-/// "R", "G", "B" of a colour or a normal, "Y" of a number.
+/// "R", "G", "B" for a colour or a normal, "Y" for a scalar.
 std::vector<std::string> channel_names(TextureChannel channel);
 
-/// The sample's channel, all but the normal, to as many floats as it has names.
+/// Writes a channel of a sample, other than the normal, to one float for each of its names.
 void put_channel(TextureChannel channel, const ShadingSample& sample, float* pixel);
 
 /// A mesh with the procedural to bake on it.
@@ -27,11 +27,12 @@ struct TextureSource {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Procedural> procedural;
     float random = 0;                       // of the instance
-    float roughness = ShadingSample::unset; // where the procedural leaves it to the material
+    float roughness = ShadingSample::unset; // of the material, where the procedural gives none
     Device* device = nullptr;               // null: the procedural runs on the host
 
-    /// Evaluates `count` points in blocks on all threads (or the device): `place` and `take` are
-    /// called from many threads at once. Reports its progress.
+    /// Evaluates `count` points in blocks on all threads (or the device). `place` gives the point
+    /// of an index, `take` receives its sample; both are called from several threads at once.
+    /// Reports progress.
     void evaluate(std::size_t count, const std::function<ShadingPoint(std::size_t)>& place,
                   const std::function<void(std::size_t, const ShadingSample&)>& take,
                   const Context& context) const;

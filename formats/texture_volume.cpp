@@ -7,7 +7,7 @@ namespace scree {
 
 namespace {
 
-// The held pixels of a grid's slices; none where it is all of them.
+// The predicate of a volume's voxels in its slices; empty when it holds all of them.
 HeldPixels held_pixels(const TextureVolume& volume, const SliceStack& stack) {
     if (volume.inside.empty())
         return {};
@@ -51,7 +51,7 @@ std::unique_ptr<VdbFile> volume_file(const TextureSource& source, const TextureV
         const std::vector<ShadingSample> samples = slice_samples(source, stack, k, held, of_slice);
         for (int j = 0; j < stack.height; ++j)
             for (int i = 0; i < stack.width; ++i) {
-                const int y = stack.height - 1 - j; // rows begin at the top
+                const int y = stack.height - 1 - j; // row 0 is the top
                 if (held && !held(i, y, k))
                     continue;
                 const ShadingSample& sample =

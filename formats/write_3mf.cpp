@@ -19,7 +19,7 @@ namespace scree {
 
 namespace {
 
-// All of lib3mf's objects are of one type to C.
+// In lib3mf's C interface all objects have one type.
 using Handle = NMR::PLib3MFBase*;
 
 struct Release {
@@ -65,7 +65,7 @@ class Document {
                 return NMR::lib3mf_model_addbuilditem(model_.get(), object.get(), nullptr, out);
             },
             model_.get());
-        // The library makes them at random; ours go by what they name.
+        // The library's UUIDs are random; these are hashes of the content.
         check(NMR::lib3mf_object_setuuidutf8(object.get(), uuid(hash, 1).c_str()), object.get());
         check(NMR::lib3mf_builditem_setuuidutf8(item.get(), uuid(hash, 2).c_str()), item.get());
         check(NMR::lib3mf_model_setbuilduuidutf8(model_.get(), uuid(hash, 3).c_str()),
@@ -85,14 +85,14 @@ class Document {
     static unsigned put(unsigned char* bytes, unsigned count, void* stream) {
         auto& out = *static_cast<std::ostream*>(stream);
         out.write(reinterpret_cast<const char*>(bytes), std::streamsize(count));
-        return NMR_SUCCESS; // the stream remembers what went wrong
+        return NMR_SUCCESS; // errors are kept in the stream's state
     }
     static unsigned seek(std::uint64_t position, void* stream) {
         static_cast<std::ostream*>(stream)->seekp(std::streamoff(position));
         return NMR_SUCCESS;
     }
 
-    // In the form of a UUID, version 8 (RFC 9562).
+    // The hash as a UUID of version 8 (RFC 9562).
     static std::string uuid(std::uint64_t hash, int number) {
         return fmt::format("{:08x}-{:04x}-8{:03x}-a000-{:012x}", hash >> 32, hash >> 16 & 0xffff,
                            hash & 0xfff, number);

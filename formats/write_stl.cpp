@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t record_size = 50;
 
-// The normal, three corners, and two bytes of attributes that are 0.
+// A record: the normal, three corners and two attribute bytes, which are 0.
 void put_triangle(char* out, const Mesh& mesh, const Mesh::Triangle& t) {
     std::array<Vec3, 4> vectors;
     for (std::size_t k = 0; k < 3; ++k)
@@ -34,7 +34,7 @@ void write_stl(const std::string& path, const Mesh& mesh) {
     if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
         throw Error::resource("cannot write " + path + ": it has more than 2^32 triangles");
     write_stream(path, [&](std::ostream& out) {
-        // Must not begin with "solid", as a text file does.
+        // Must not begin with "solid", which marks a text file.
         std::string header = "Scree " SCREE_VERSION ", millimetres, z is up";
         header.resize(80, ' ');
         const auto count = static_cast<std::uint32_t>(mesh.triangles.size());

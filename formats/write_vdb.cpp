@@ -19,8 +19,8 @@ namespace scree {
 
 namespace {
 
-/// openvdb::io::File reports success on a full disk: it does not look at its stream. This one
-/// writes to a stream of ours.
+/// openvdb::io::File does not check its stream and reports success on a full disk. This archive
+/// writes to a given stream, which is checked.
 class CheckedArchive final : public openvdb::io::Archive {
   public:
     using openvdb::io::Archive::write;
@@ -28,11 +28,11 @@ class CheckedArchive final : public openvdb::io::Archive {
     void write_file(const std::string& path, const openvdb::GridCPtrVec& grids,
                     const openvdb::MetaMap& metadata, const std::string& id) const {
         std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out | std::ios::trunc);
-        constexpr bool seekable = true; // with the grids' places, so that readers can choose
+        constexpr bool seekable = true; // includes the grids' offsets, so that readers can skip
         if (file)
             write(file, grids, seekable, metadata);
-        // After the magic number, three versions and a flag stands the file's identity, made at
-        // random; ours goes by what it holds.
+        // The file's UUID follows the magic number, three versions and a flag. OpenVDB's is random;
+        // it is replaced by a hash of the content.
         file.seekp(8 + 3 * 4 + 1);
         file.write(id.data(), std::streamsize(id.size()));
         file.close();
@@ -41,7 +41,7 @@ class CheckedArchive final : public openvdb::io::Archive {
     }
 };
 
-// In the form of a UUID, version 8 (RFC 9562). The metadata tells the scene, the grid its part.
+// A hash of the metadata and the grid as a UUID of version 8 (RFC 9562).
 std::string identity(const Metadata& metadata, const openvdb::FloatGrid& grid) {
     std::string all = fmt::format("{}", grid.activeVoxelCount());
     const openvdb::Mat4R matrix = grid.transform().baseMap()->getAffineMap()->getMat4();
@@ -69,9 +69,9 @@ struct VdbFile::Grids {
 };
 
 VdbFile::VdbFile(const Imath::M44d& world_from_index) {
-    openvdb::initialize(); // cheap after the first time
+    openvdb::initialize(); // does nothing after the first call
     grids_ = std::make_unique<Grids>();
-    // OpenVDB multiplies row vectors, as Imath does.
+    // OpenVDB and Imath both multiply row vectors.
     const openvdb::math::Mat4d matrix(&world_from_index.x[0][0]);
     const auto transform = openvdb::math::Transform::createLinearTransform(matrix);
     grids_->density->setName("density");
@@ -100,7 +100,7 @@ void VdbFile::write(const std::string& path, const Metadata& metadata) {
         try {
             CheckedArchive().write_file(temporary, {grids_->density, grids_->color}, texts,
                                         identity(metadata, *grids_->density));
-        } catch (const std::exception& failure) { // OpenVDB's or ours
+        } catch (const std::exception& failure) { // OpenVDB's or CheckedArchive's
             throw Error::resource("cannot write " + path + ": " + failure.what());
         }
     });

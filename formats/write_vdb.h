@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OpenVDB files: the only door to OpenVDB.
+// OpenVDB files: the only place that uses OpenVDB.
 #pragma once
 
 #include "core/image.h"
@@ -9,24 +9,24 @@
 
 namespace scree {
 
-/// A sparse volume with a float grid `density` (a fog volume) and a vector grid `color`, both 0
-/// where nothing is set.
+/// A sparse volume with a float grid `density` (a fog volume) and a vector grid `color`; both are 0
+/// in voxels that are not set.
 class VdbFile {
   public:
-    /// The matrix takes the centre of voxel (i, j, k) from (i, j, k) to the world [m]; it must have
-    /// an inverse.
+    /// The matrix transforms (i, j, k) to the world position of the centre of voxel (i, j, k) [m].
+    /// It must be invertible.
     explicit VdbFile(const Imath::M44d& world_from_index);
     ~VdbFile();
     VdbFile(const VdbFile&) = delete;
     VdbFile& operator=(const VdbFile&) = delete;
 
-    /// Cheap for neighbours one after the other; one thread at a time.
+    /// Fast when successive voxels are neighbours. Not thread-safe.
     void set(int i, int j, int k, float density, const Color& color);
 
     /// The highest density so far.
     float densest() const { return densest_; }
 
-    /// Writes it atomically: the same voxels and metadata give the same bytes. Throws Error
+    /// Writes the file atomically. Equal voxels and metadata give equal bytes. Throws Error
     /// (resource) on an unwritable path or a full disk.
     void write(const std::string& path, const Metadata& metadata);
 

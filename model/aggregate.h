@@ -21,10 +21,10 @@ using Shape = std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const St
 /// One component, shared by its instances.
 struct Prototype {
     std::string name{};
-    Shape shape{};                              // in its own frame [m]
-    std::shared_ptr<const Region> region{};     // exclusive region, when the generator has one
+    Shape shape{};                              // in object space [m]
+    std::shared_ptr<const Region> region{};     // exclusive region, if the generator has one
     std::shared_ptr<const Material> material{}; // null: grey matte
-    std::shared_ptr<const Picture> picture{};   // what it looks like from above, when it is one
+    std::shared_ptr<const Picture> picture{};   // set when it is a flat picture: its view from above
 
     /// Null when the shape is of another kind, or there is none.
     const Mesh* mesh() const {
@@ -40,28 +40,28 @@ struct Prototype {
 /// One element of an aggregate.
 struct Instance {
     std::uint32_t prototype = 0;
-    // Rounded to float: a generator that promises no overlap leaves room for that rounding.
+    // Rounded to float; a generator that guarantees no overlap allows for the rounding error.
     Matrix world_from_object;
     float random = 0; // uniform in [0, 1), drives per-instance colour
-    double angle = 0; // [rad] as the generator chose it; 0 where it means nothing
+    double angle = 0; // [rad] as chosen by the generator; 0 where it has no meaning
     double scale = 1;
 };
 
-/// Measured facts in the order in which they are shown: counts, fractions, seconds.
+/// Named measurements in the order in which they are shown: counts, fractions, seconds.
 using Facts = std::vector<std::pair<std::string, double>>;
 
-/// What a generator bakes: flat instances over shared prototypes (Debian 12's Embree has one
-/// instance level).
+/// The output of a generator: shared prototypes and one level of instances (Debian 12's Embree
+/// supports only one).
 struct Aggregate {
     std::string generator; // registry name, "object" for a single object
     Location where{};      // of its constructor in the script
     std::uint64_t seed = 0;
     std::vector<Prototype> prototypes;
     std::vector<Instance> instances;
-    std::shared_ptr<const Region> domain;      // when the generator has one
-    std::shared_ptr<const HeightField> height; // when the generator makes a relief
-    std::shared_ptr<const Picture> background; // fills the domain's bounding box, under all else
-    bool torus = false;   // the domain is a rectangle whose opposite sides are one
+    std::shared_ptr<const Region> domain;      // if the generator has one
+    std::shared_ptr<const HeightField> height; // if the generator makes a relief
+    std::shared_ptr<const Picture> background; // fills the domain's bounding box, below all else
+    bool torus = false;   // the domain is a rectangle whose opposite sides are identified
     bool texture = false; // drawn as exactly the domain's bounding box, without paper or outlines
     Facts facts;
 };

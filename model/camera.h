@@ -12,7 +12,7 @@ struct Camera {
     Vec3 up{0.0F, 1.0F, 0.0F};
     float fov = 0.61F;  // full vertical angle of view [rad]
     float aperture = 0; // diameter of the lens [m]
-    float focus = 0;    // distance of the plane in focus along the view direction [m]; 0: at `at`
+    float focus = 0;    // distance of the focal plane along the view direction [m]; 0: through `at`
 };
 
 } // namespace scree

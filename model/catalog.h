@@ -5,15 +5,15 @@
 
 namespace scree {
 
-/// Makes the object that a script's constructor describes, from its checked parameters.
+/// Makes the object of a constructor in a script from its checked parameters.
 using MakeObject = SharedObject(const Params& params);
 
-/// Everything that a scene script can name, by family: "mesh", "generator", ... A new kind of
-/// value is a new family; plug-ins are added to a family at any time before a script is read.
+/// All constructors that a scene script can call, by family: "mesh", "generator", ... A new kind of
+/// value is a new family. Plug-ins may be added until a script is read.
 class Catalog {
   public:
-    /// Adds the plug-ins of a table, which make values of type T or shared pointers to const T, to
-    /// the family that the table names.
+    /// Adds the plug-ins of a table to its family. They make values of type T, or shared pointers
+    /// to const T.
     template <class T>
     void add(const Registry<T(const Params& params)>& table) {
         Registry<MakeObject>& family = this->family(table.family());
@@ -23,7 +23,7 @@ class Catalog {
                  [make = plugin.make](const Params& params) { return shared(make(params)); }});
     }
 
-    /// The family of this name, made when there is none yet.
+    /// The family of this name, created when it does not exist.
     Registry<MakeObject>& family(const std::string& name) {
         for (Registry<MakeObject>& known : families_)
             if (known.family() == name)
@@ -38,7 +38,8 @@ class Catalog {
         return nullptr;
     }
 
-    /// The families whose members scripts write as "mesh.banana"; `object` is one by itself.
+    /// The families whose members scripts write as "mesh.banana". A family with a member of its own
+    /// name, such as `object`, is not among them.
     std::vector<std::string> constructor_families() const {
         std::vector<std::string> names;
         for (const Registry<MakeObject>& known : families_)

@@ -3,20 +3,20 @@
 
 namespace scree {
 
-/// Reconstruction filters. All are sampled by importance, so that a pixel is the plain mean of its
-/// own samples (Ernst, Stamminger & Greiner 2006) and pixels stay independent.
+/// Reconstruction filters. All are importance-sampled: a pixel is the unweighted mean of its
+/// samples and does not depend on other pixels (Ernst, Stamminger & Greiner 2006).
 enum class Filter { box, triangle, gaussian, blackman_harris };
 
-/// What the scene says about its picture; the command line may override parts of it.
+/// The scene's settings of the picture; the command line may override some of them.
 struct FilmSettings {
     int width = 1280;
     int height = 720;
     int samples = 64; // per pixel
-    int depth = 16;   // longest path in edges; 1 shows light sources only, 2 direct light
+    int depth = 16;   // maximum path length in edges; 1 shows light sources only, 2 direct light
     Filter filter = Filter::blackman_harris;
     float radius = 1.5F; // of the filter [pixels]
-    float clamp = 0;     // largest value of an indirect contribution; 0: unclamped, unbiased
-    float exposure = 0;  // of the view [stops]
+    float clamp = 0;     // upper limit of an indirect contribution; 0: unclamped, unbiased
+    float exposure = 0;  // of the displayed picture [stops]
 };
 
 } // namespace scree

@@ -10,7 +10,7 @@ namespace {
 struct FilterName {
     const char* name;
     Filter filter;
-    float radius; // customary [pixels]
+    float radius; // default [pixels]
 };
 // Radii: box and triangle by definition; the others as PBRT-v4 and Cycles (width 1.5 px) use them.
 const FilterName filter_names[] = {{"blackman_harris", Filter::blackman_harris, 1.5F},
@@ -38,8 +38,8 @@ std::vector<ParamSpec> film_params() {
     return {count_spec("width", "Width of the picture.", "pixels", 1280, 16384),
             count_spec("height", "Height of the picture.", "pixels", 720, 16384),
             count_spec("samples", "Paths per pixel.", "", 64, 1 << 20),
-            count_spec("depth", "Longest path; 1 shows light sources only, 2 direct light.", "", 16,
-                       1000),
+            count_spec("depth", "Maximum path length; 1 shows light sources only, 2 direct light.",
+                       "", 16, 1000),
             {.name = "filter",
              .type = ParamType::choice,
              .doc = "Reconstruction filter.",
@@ -47,22 +47,22 @@ std::vector<ParamSpec> film_params() {
              .choices = names},
             {.name = "radius",
              .type = ParamType::number,
-             .doc = "Radius of the filter; what is customary for it when not given.",
+             .doc = "Radius of the filter; the filter's usual one when not given.",
              .unit = "pixels",
              .optional = true,
              .min = 0.1,
              .max = 8.0},
             {.name = "clamp",
              .type = ParamType::number,
-             .doc = "Largest value of one indirect contribution; removes fireflies at the price "
-                    "of some energy.",
+             .doc = "Upper limit of one indirect contribution; removes fireflies and loses some "
+                    "energy.",
              .optional = true,
              .min = 0.0,
              .max = 1e9,
              .above_min = true},
             {.name = "exposure",
              .type = ParamType::number,
-             .doc = "Exposure of the view.",
+             .doc = "Exposure of the displayed picture.",
              .unit = "stops",
              .fallback = 0.0,
              .min = -20.0,

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// A generator bakes an aggregate. Its parameters are already checked against its specs; it throws
-/// `Params::error` for what only it can know (a region larger than the domain).
+/// A generator bakes an aggregate from parameters that were checked against its specs. It throws
+/// `Params::error` for what the specs cannot express, such as a region larger than the domain.
 using Bake = Aggregate(const Params& params, const Context& context);
 
 } // namespace scree

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene says about its lights; light_sampler.h makes them ready for sampling.
+// The lights of a scene as data; light_sampler.h samples them.
 #pragma once
 
 #include "core/image.h"
@@ -15,9 +15,9 @@ struct Sky {
     Color zenith{1.0F, 1.0F, 1.0F};
     Color horizon{1.0F, 1.0F, 1.0F};
     Color ground{1.0F, 1.0F, 1.0F};     // below the horizon
-    std::shared_ptr<const Image> image; // R, G, B; its centre column looks to -z; null: gradient
+    std::shared_ptr<const Image> image; // R, G, B; its centre column lies at -z; null: gradient
     float rotation = 0;                 // about y, counter-clockwise seen from above [rad]
-    float strength = 1;                 // radiance of white [W/(m^2 sr)]
+    float strength = 1;                 // radiance of a colour of 1 [W/(m^2 sr)]
 };
 
 /// A distant disk of uniform radiance.
@@ -25,10 +25,10 @@ struct Sun {
     Vec3 direction{0.0F, 1.0F, 0.0F}; // towards the sun; any length
     float angle = 0.0093F;            // angular diameter [rad]; 0.53 deg as seen from the Earth
     Color color{1.0F, 1.0F, 1.0F};
-    float strength = 3; // irradiance on a plane that faces it, for white [W/m^2]
+    float strength = 3; // irradiance on a plane that faces it, for a colour of 1 [W/m^2]
 };
 
-/// A rectangle that shines on one side, the side of cross(edge_u, edge_v).
+/// A rectangle that emits on one side, that of cross(edge_u, edge_v).
 struct AreaLight {
     Vec3 centre{0.0F, 0.0F, 0.0F};
     Vec3 edge_u{1.0F, 0.0F, 0.0F}; // full sides [m], perpendicular to each other

@@ -8,27 +8,30 @@ namespace scree {
 namespace {
 
 Plugin<MakeLight> sky_plugin() {
-    ParamSpec horizon = color_spec("horizon", "Radiance at the horizon; color when not given.");
-    ParamSpec zenith = color_spec("zenith", "Radiance straight above; color when not given.");
-    ParamSpec ground = color_spec("ground", "Radiance below the horizon; horizon when not given.");
+    ParamSpec horizon =
+        color_spec("horizon", "Radiance at the horizon; that of color when not given.");
+    ParamSpec zenith =
+        color_spec("zenith", "Radiance at the zenith; that of color when not given.");
+    ParamSpec ground =
+        color_spec("ground", "Radiance below the horizon; that of horizon when not given.");
     for (ParamSpec* spec : {&horizon, &zenith, &ground}) {
         spec->fallback = {};
         spec->optional = true;
     }
     return {"sky",
-            "Light from all around: one colour, a vertical gradient, or an image.",
+            "Light from all directions: one colour, a vertical gradient, or an image.",
             {color_spec("color", "Radiance in every direction."),
              zenith,
              horizon,
              ground,
              {.name = "image",
               .type = ParamType::path,
-              .doc = "A latitude-longitude image (EXR, PNG or JPEG), its top row straight above; "
-                     "its centre is in direction -z; multiplied by color.",
+              .doc = "A latitude-longitude image (EXR, PNG or JPEG), multiplied by color; its top "
+                     "row is the zenith, its centre lies in direction -z.",
               .optional = true},
              {.name = "rotation",
               .type = ParamType::number,
-              .doc = "Turn about the y axis, counter-clockwise seen from above.",
+              .doc = "Rotation about the y axis, counter-clockwise seen from above.",
               .unit = "deg",
               .fallback = 0.0,
               .min = -360.0,
@@ -39,7 +42,7 @@ Plugin<MakeLight> sky_plugin() {
                 const auto color = [&](const char* name, const Color& otherwise) {
                     if (!params.has(name))
                         return otherwise;
-                    check_color(params, name, params.color(name), any_radiance);
+                    check_color(params, name, params.color(name), max_radiance);
                     return params.color(name);
                 };
                 const Color base = color("color", Color(1.0F, 1.0F, 1.0F));
@@ -70,11 +73,11 @@ Plugin<MakeLight> sun_plugin() {
             "A distant disk of light.",
             {{.name = "direction",
               .type = ParamType::vector3,
-              .doc = "Towards the sun; any length.",
+              .doc = "Direction towards the sun, of any length.",
               .fallback = Vec3(1.0F, 2.0F, 1.0F)},
              {.name = "angle",
               .type = ParamType::number,
-              .doc = "Angular diameter; larger gives softer shadows.",
+              .doc = "Angular diameter; a larger one gives softer shadows.",
               .unit = "deg",
               .fallback = 0.53,
               .min = 0.01,
@@ -84,7 +87,7 @@ Plugin<MakeLight> sun_plugin() {
             [](const Params& params) -> Light {
                 Sun sun{params.vector3("direction"), float_number(params, "angle"),
                         params.color("color"), float_number(params, "strength")};
-                check_color(params, "color", sun.color, any_radiance);
+                check_color(params, "color", sun.color, max_radiance);
                 if (!(is_finite(sun.direction) && sun.direction.length() > 0))
                     throw params.error("direction", "must not be zero");
                 sun.direction.normalize();
@@ -94,7 +97,7 @@ Plugin<MakeLight> sun_plugin() {
 
 Plugin<MakeLight> area_plugin() {
     return {"area",
-            "A rectangle that shines from its front; it is visible.",
+            "A visible rectangle that emits light from its front.",
             {{.name = "position",
               .type = ParamType::vector3,
               .doc = "Centre of the rectangle.",
@@ -111,7 +114,7 @@ Plugin<MakeLight> area_plugin() {
               .unit = "m",
               .fallback = Vec2(1.0, 1.0)},
              color_spec("color", "Colour of the light."),
-             strength_spec(10.0, "Radiance of the front.", "W/(m^2 sr)")},
+             strength_spec(10.0, "Radiance of its front.", "W/(m^2 sr)")},
             [](const Params& params) -> Light {
                 AreaLight light;
                 light.centre = params.vector3("position");
@@ -121,7 +124,7 @@ Plugin<MakeLight> area_plugin() {
                 const Vec2& size = params.vector2("size");
                 if (!(size.x > 0 && size.y > 0 && size.x < 1e6 && size.y < 1e6))
                     throw params.error("size", "must be above 0 and below 1000000 m");
-                check_color(params, "color", params.color("color"), any_radiance);
+                check_color(params, "color", params.color("color"), max_radiance);
                 const Vec3 n = normal.normalized();
                 const Vec3 up =
                     std::abs(n.y) < 0.999F ? Vec3(0.0F, 1.0F, 0.0F) : Vec3(0.0F, 0.0F, 1.0F);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene says about its materials. Each alternative is made ready for rendering by its
-// `prepare`, which stands in render/bsdf/<name>.cpp: only the renderer calls it.
+// The materials of a scene as data; bsdf.h evaluates and samples them.
 #pragma once
 
 #include "core/params.h"
@@ -23,15 +22,15 @@ struct Texture {
     std::shared_ptr<const Procedural> procedural; // null: constant
 };
 
-/// The texture that a parameter of that type holds.
+/// The texture of a parameter of type `texture`.
 Texture texture_of(const Params& params, const std::string& name);
 
-/// A colour that is constant, from a procedural, or chosen from a palette by Instance.random.
+/// A colour: a texture, or one of a palette, chosen for each instance by Instance::random.
 struct Paint {
     Texture texture;
-    std::vector<Color> palette; // not empty: used in place of the texture
+    std::vector<Color> palette; // unless empty, replaces the texture
 
-    /// The colour of a whole instance; none where a procedural gives it.
+    /// The colour of an instance if it is uniform, that is, unless a procedural gives it.
     std::optional<Color> one_color(float random) const {
         if (palette.empty())
             return texture.procedural == nullptr ? std::optional(texture.constant) : std::nullopt;
@@ -50,7 +49,7 @@ struct Matte {
 /// A diffuse base under a dielectric coat.
 struct Plastic {
     Paint paint{{Color(0.5F, 0.5F, 0.5F), nullptr}, {}};
-    float roughness = 0.3F; // of the coat; squared it is the GGX alpha (Burley 2012)
+    float roughness = 0.3F; // of the coat; its square is the GGX alpha (Burley 2012)
     float ior = 1.5F;
 
     std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const;
@@ -64,7 +63,7 @@ struct Metal {
     std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const;
 };
 
-/// A dielectric that lets light through.
+/// A dielectric that reflects and refracts.
 struct Glass {
     float ior = 1.5F;
     Color absorption{0.0F, 0.0F, 0.0F}; // of the inside [1/m] (Beer 1852)
@@ -73,7 +72,7 @@ struct Glass {
     std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const;
 };
 
-/// A medium in which light walks at random, under a dielectric coat.
+/// A scattering medium (subsurface random walk) under a dielectric coat.
 struct Translucent {
     Paint paint{{Color(0.5F, 0.5F, 0.5F), nullptr}, {}}; // see Medium::color
     Color distance{0.001F, 0.001F, 0.001F};              // by channel [m], see make_medium
@@ -103,14 +102,14 @@ class CustomMaterial {
 using Material =
     std::variant<Matte, Plastic, Metal, Glass, Translucent, std::shared_ptr<const CustomMaterial>>;
 
-/// What a material is painted with; null for what has no paint, such as glass.
+/// The material's paint; null when it has none, such as glass.
 const Paint* paint_of(const Material& material);
 
 /// Whether its look depends on a surface's UVs or tangent, which hits then carry.
 bool uses_uv(const Material& material);
 
-/// The declaration of a parameter `material`; without one what is made is of `Matte{}`. `doc`: what
-/// it is, without a full stop.
+/// The declaration of an optional parameter `material`, whose default is `Matte{}`. `doc` is its
+/// description without a full stop.
 ParamSpec material_spec(const std::string& doc);
 
 } // namespace scree

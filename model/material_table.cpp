@@ -15,7 +15,7 @@ ParamSpec paint_spec(const Color& fallback, std::string doc) {
 ParamSpec palette_spec() {
     return {.name = "palette",
             .type = ParamType::list,
-            .doc = "Colours from which each instance picks one at random; in place of color.",
+            .doc = "Colours of which each instance gets a random one, in place of color.",
             .optional = true,
             .fields = {{.name = "color", .type = ParamType::color, .doc = "One of the colours."}},
             .min_items = 1};
@@ -86,7 +86,7 @@ Plugin<MakeMaterial> metal_plugin() {
     for (const MetalPreset& preset : metal_presets)
         names.emplace_back(preset.name);
     ParamSpec color =
-        paint_spec({}, "Reflectance at normal incidence; in place of the preset when given.");
+        paint_spec({}, "Reflectance at normal incidence; replaces that of the preset when given.");
     color.fallback = {};
     color.optional = true;
     return {"metal",
@@ -120,10 +120,11 @@ Plugin<MakeMaterial> glass_plugin() {
     return {"glass",
             "A dielectric that refracts; the inside of its closed mesh may be tinted.",
             {ior_spec(),
-             color_spec("color", "Share of light left after `distance` inside; each above 0."),
+             color_spec("color", "Transmittance after `distance` inside; each part above 0."),
              {.name = "distance",
               .type = ParamType::number,
-              .doc = "Way through the glass that gives `color` (Beer's law).",
+              .doc = "Path length in the glass after which the transmittance is `color` (Beer's "
+                     "law).",
               .unit = "m",
               .fallback = 0.01,
               .min = 1e-6,
@@ -145,20 +146,19 @@ Plugin<MakeMaterial> glass_plugin() {
 
 Plugin<MakeMaterial> translucent_plugin() {
     return {"translucent",
-            "Light walks about under the clear coat of a closed mesh, for wax, marble, fruit and "
-            "rice; an open mesh looks like plastic.",
-            {paint_spec(Color(0.8F, 0.8F, 0.8F),
-                        "Share of light that comes back out of a thick piece."),
+            "Subsurface scattering under a clear coat in a closed mesh, for wax, marble, fruit "
+            "and rice; an open mesh looks like plastic.",
+            {paint_spec(Color(0.8F, 0.8F, 0.8F), "Diffuse reflectance of a thick piece."),
              palette_spec(),
              {.name = "distance",
               .type = ParamType::number,
-              .doc = "How far light spreads under the surface; for bright colours the mean way "
-                     "from one scattering to the next. In the scene, whatever the object's scale.",
+              .doc = "How far light spreads under the surface; for bright colours about the mean "
+                     "free path. Measured in the scene, independent of the object's scale.",
               .unit = "m",
               .fallback = 0.001,
               .min = 1e-6,
               .max = 1e3},
-             color_spec("spread", "Factor of `distance` by channel, each from 0.001 to 1."),
+             color_spec("spread", "Factor of `distance` for each channel, from 0.001 to 1."),
              roughness_spec(0.3),
              ior_spec()},
             [](const Params& params) -> Material {

@@ -9,24 +9,21 @@ namespace {
 
 std::vector<ParamSpec> object_params() {
     return {
-        {.name = "shape",
-         .type = ParamType::object,
-         .families = {"mesh"},
-         .doc = "What it looks like."},
-        material_spec("What it is made of"),
+        {.name = "shape", .type = ParamType::object, .families = {"mesh"}, .doc = "Its mesh."},
+        material_spec("Its material"),
         {.name = "position",
          .type = ParamType::vector3,
-         .doc = "Where the mesh's origin goes.",
+         .doc = "Position of the mesh's origin.",
          .unit = "m",
          .fallback = Vec3(0.0F)},
         {.name = "rotation",
          .type = ParamType::vector3,
-         .doc = "Turn about the x axis, then y, then z, each through the mesh's origin.",
+         .doc = "Rotation about the x axis, then y, then z, each through the mesh's origin.",
          .unit = "deg",
          .fallback = Vec3(0.0F)},
         {.name = "scale",
          .type = ParamType::vector3,
-         .doc = "Factor along x, y and z before the turn; one number for all three.",
+         .doc = "Factors along x, y and z, applied before the rotation; one number for all three.",
          .fallback = Vec3(1.0F),
          .min = 0.0,
          .max = 1e6,
@@ -35,18 +32,18 @@ std::vector<ParamSpec> object_params() {
     };
 }
 
-// Row vectors: scaled first, then turned about x, y and z, then moved.
+// Matrices multiply row vectors, so the leftmost is applied first.
 Matrix object_matrix(const Params& params) {
-    const Vec3& turn = params.vector3("rotation");
+    const Vec3& rotation = params.vector3("rotation");
     Matrix scale;
     Matrix about_x;
     Matrix about_y;
     Matrix about_z;
     Matrix move;
     scale.setScale(params.vector3("scale"));
-    about_x.setAxisAngle(Vec3(1, 0, 0), turn.x);
-    about_y.setAxisAngle(Vec3(0, 1, 0), turn.y);
-    about_z.setAxisAngle(Vec3(0, 0, 1), turn.z);
+    about_x.setAxisAngle(Vec3(1, 0, 0), rotation.x);
+    about_y.setAxisAngle(Vec3(0, 1, 0), rotation.y);
+    about_z.setAxisAngle(Vec3(0, 0, 1), rotation.z);
     move.setTranslation(params.vector3("position"));
     return scale * about_x * about_y * about_z * move;
 }
@@ -73,7 +70,7 @@ SceneItem object_item(const Params& params) {
 
 Registry<MakeItem> object_table() {
     Registry<MakeItem> table("object");
-    table.add({"object", "One mesh in its place.", object_params(), object_item});
+    table.add({"object", "A single mesh.", object_params(), object_item});
     return table;
 }
 

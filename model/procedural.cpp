@@ -9,7 +9,7 @@ namespace scree {
 
 void Procedural::bake(std::span<const ShadingPoint> points, std::span<ShadingSample> samples,
                       Device* /*device*/) const {
-    constexpr std::size_t block = 1024; // what stays in a core's nearest cache
+    constexpr std::size_t block = 1024; // points that stay in a core's L1 cache
     parallel_for((points.size() + block - 1) / block, 1, [&](std::size_t i) {
         const std::size_t first = i * block;
         const std::size_t count = std::min(block, points.size() - first);

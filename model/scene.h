@@ -19,26 +19,27 @@ namespace scree {
 struct Scene {
     std::string name;       // file name of the script: "toys.lua"
     std::uint64_t hash = 0; // of `settings`
-    std::string settings;   // the description's JSON without locations, for the picture's header
+    std::string settings;   // JSON of the description without locations, for file headers
     FilmSettings film;
-    std::optional<Camera> camera; // a picture needs one; baking and exports do without
+    std::optional<Camera> camera; // required for rendering only
     std::vector<Light> lights;
-    std::vector<Aggregate> aggregates; // one per item of the script's `objects`
+    std::vector<Aggregate> aggregates; // one for each item of the script's `objects`
 };
 
-/// Where a file came from, for its header: version, scene, hash and settings; no times, so that the
-/// same scene gives the same bytes.
+/// The provenance of a file, for its header: version, scene, hash and settings; without times, so
+/// that the same scene gives the same bytes.
 Metadata provenance(const Scene& scene);
 
-/// One item of a script's `objects`, checked but not made yet: a generator, or a single object.
+/// One item of a script's `objects`, checked but not baked: a generator or a single object.
 struct SceneItem {
     std::string kind; // "layout", "object"
-    /// `number`: of the item in its scene, from 0; it seeds what differs between equal objects.
+    /// `number` is the index of the item in the scene, so that equal objects get different random
+    /// numbers.
     std::function<Aggregate(const Context& context, std::uint64_t number)> bake;
     Location where{}; // of its constructor
 };
 
-/// A scene whose items have still to be baked; until then it has no aggregates.
+/// A scene whose items are not baked yet, so that it has no aggregates.
 struct SceneDraft {
     Scene scene;
     std::vector<std::shared_ptr<const SceneItem>> items;

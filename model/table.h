@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of what a scene is made of apart from shapes, generators and procedurals: materials,
-// lights, camera, film, objects.
+// The tables of materials, lights, cameras and objects, and the declarations of film and scene.
 #pragma once
 
 #include "core/registry.h"
@@ -23,16 +22,15 @@ Registry<MakeLight> light_table();       // light.sky, sun, area
 Registry<MakeCamera> camera_table();     // camera.perspective
 Registry<MakeItem> object_table();       // object
 
-/// The generators of a table as items of a scene. Errors they throw are given the constructor's
-/// place in the script.
+/// The generators of a table as items of a scene. Input errors that they throw are located at the
+/// constructor.
 Registry<MakeItem> generator_items(const Registry<Bake>& table);
 
-/// The scene's film = { ... } record.
+/// The parameters of the record film = { ... }.
 std::vector<ParamSpec> film_params();
 FilmSettings film_settings(const Params& film);
 
-/// The parameters of `scene { ... }`, and the draft made from them, still without name and
-/// settings.
+/// The parameters of `scene { ... }`, and the draft made from them, without name and settings.
 std::vector<ParamSpec> scene_params();
 SceneDraft scene_draft(const Params& scene);
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Declarations that several of the tables share.
+// Declarations that several tables of the model share.
 #pragma once
 
 #include "core/params.h"
 
 namespace scree {
 
-/// For check_color: light may have this radiance at most; a reflectance, 1.
-inline constexpr float any_radiance = 1e9F;
+/// The upper limit of radiance, for check_color; that of a reflectance is 1.
+inline constexpr float max_radiance = 1e9F;
 
 ParamSpec strength_spec(double fallback, std::string doc, std::string unit);
 ParamSpec color_spec(std::string name, std::string doc); // white by default
@@ -15,7 +15,7 @@ ParamSpec color_spec(std::string name, std::string doc); // white by default
 /// Throws the parameter's Error unless every channel is from 0 to `max`.
 void check_color(const Params& params, const std::string& name, const Color& color, float max);
 
-/// A number parameter as the renderer's float.
+/// A number parameter, rounded to float.
 float float_number(const Params& params, const std::string& name);
 
 } // namespace scree

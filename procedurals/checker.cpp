@@ -9,13 +9,14 @@ namespace scree {
 
 namespace {
 
-// Integral of the square wave that is +1 on [0, 1) and -1 on [1, 2), period 2.
+// The integral of the square wave that is +1 on [0, 1) and -1 on [1, 2), with period 2.
 double wave_integral(double x) {
     const double phase = x - 2 * std::floor(x / 2);
     return phase < 1 ? phase : 2 - phase;
 }
 
-// Mean of that wave over [x - w/2, x + w/2] (Heckbert 1986): box-filtered, so it never shimmers.
+// The mean of that wave over [x - w/2, x + w/2]: an exact box filter against aliasing (Heckbert
+// 1986).
 double filtered_wave(double x, double width) {
     width = std::max(width, 1e-6);
     return (wave_integral(x + width / 2) - wave_integral(x - width / 2)) / width;

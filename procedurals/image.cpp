@@ -11,7 +11,7 @@ namespace scree {
 
 namespace {
 
-// Below this share of alpha a colour is rounding of what is not there (8 bits hold 1/255).
+// Below this alpha the premultiplied colour consists of rounding errors only (8 bits hold 1/255).
 constexpr float least_alpha = 1.0F / 512;
 
 class ImageTexture final : public Procedural {
@@ -32,7 +32,7 @@ class ImageTexture final : public Procedural {
             const Color under = *ground_ * (1 - found[3]);
             return {found[0] + under.x, found[1] + under.y, found[2] + under.z};
         }
-        // Coarser halvings know what is opaque farther away.
+        // Coarser mip levels include opaque texels farther away.
         for (width = std::max(width, 1.0 / filter_.level(0).width);
              found[3] < least_alpha && width < 2; width *= 2)
             found = filter_.trilinear(uv, width);
@@ -77,15 +77,15 @@ Plugin<MakeProcedural> image_plugin() {
         {
             {.name = "path",
              .type = ParamType::path,
-             .doc = "A PNG, JPEG (sRGB, taken to linear), EXR (linear) or SVG."},
+             .doc = "A PNG or JPEG (sRGB, converted to linear), EXR (linear) or SVG."},
             {.name = "repeats",
              .type = ParamType::boolean,
-             .doc = "Goes on beyond the UV square; otherwise its border pixels do.",
+             .doc = "Repeats beyond the UV square; otherwise the border pixels extend outwards.",
              .fallback = false},
             {.name = "ground",
              .type = ParamType::color,
-             .doc = "What shows through where it is transparent; unless given, the colours of "
-                    "what is opaque nearby go on.",
+             .doc = "Colour behind transparent parts; when not given they take the colours of "
+                    "nearby opaque parts.",
              .optional = true},
             {.name = "resolution",
              .type = ParamType::integer,

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// The picture's colours over the UV square, which goes on at its borders; where it is transparent
-/// those of what is opaque nearby, so that shapes cut out along its outline have clean edges.
+/// The colours of a picture over the UV square, clamped at its borders. Transparent parts take the
+/// colours of nearby opaque parts, so that shapes cut out along its outline have clean edges.
 std::shared_ptr<const Procedural> picture_texture(const Picture& picture);
 
 Plugin<MakeProcedural> image_plugin(); // procedural.image

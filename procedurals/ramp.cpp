@@ -13,10 +13,10 @@ namespace {
 struct Stop {
     float at = 0;
     Color color;
-    Color other; // of the instances whose random number is 1
+    Color other; // for instances whose random number is 1
 };
 
-/// Colours joined by straight lines, constant beyond the ends.
+/// A piecewise linear colour ramp, constant beyond its ends.
 class Ramp final : public Procedural {
   public:
     Ramp(const Vec3& from, const Vec3& to, std::vector<Stop> stops)
@@ -44,7 +44,7 @@ class Ramp final : public Procedural {
     }
 
   private:
-    // Of the colour from the first stop to x, negative before it.
+    // The integral of the colour from the first stop to x; negative before the stop.
     Color integral(float x, float random) const {
         const auto color = [&](const Stop& stop) {
             return stop.color * (1 - random) + stop.other * random;
@@ -84,30 +84,31 @@ std::shared_ptr<const Procedural> make_ramp(const Params& params) {
 } // namespace
 
 Plugin<MakeProcedural> ramp_plugin() {
-    return {"ramp",
-            "Colours along a line through the object, constant beyond its ends, box-filtered over "
-            "the pixel.",
-            {{.name = "from",
-              .type = ParamType::vector3,
-              .doc = "Where the line begins, in the object's frame.",
-              .unit = "m"},
-             {.name = "to", .type = ParamType::vector3, .doc = "Where it ends.", .unit = "m"},
-             {.name = "stops",
-              .type = ParamType::list,
-              .doc = "Colours in the order in which they stand along it.",
-              .fields = {{.name = "at",
-                          .type = ParamType::number,
-                          .doc = "Share of the way.",
-                          .min = 0.0,
-                          .max = 1.0},
-                         {.name = "color", .type = ParamType::color, .doc = "There."},
-                         {.name = "other",
-                          .type = ParamType::color,
-                          .doc = "Every instance has a mixture of its own of the two; the same "
-                                 "unless given.",
-                          .optional = true}},
-              .min_items = 1}},
-            make_ramp};
+    return {
+        "ramp",
+        "Colours along a line through the object, constant beyond its ends, box-filtered over "
+        "the pixel.",
+        {{.name = "from",
+          .type = ParamType::vector3,
+          .doc = "Start of the ramp in the object's frame.",
+          .unit = "m"},
+         {.name = "to", .type = ParamType::vector3, .doc = "End of the ramp.", .unit = "m"},
+         {.name = "stops",
+          .type = ParamType::list,
+          .doc = "Colours in order of their position along the ramp.",
+          .fields = {{.name = "at",
+                      .type = ParamType::number,
+                      .doc = "Position as a share of the ramp.",
+                      .min = 0.0,
+                      .max = 1.0},
+                     {.name = "color", .type = ParamType::color, .doc = "Colour at this position."},
+                     {.name = "other",
+                      .type = ParamType::color,
+                      .doc = "Every instance has a random mixture of the two colours; the "
+                             "same as color when not given.",
+                      .optional = true}},
+          .min_items = 1}},
+        make_ramp};
 }
 
 } // namespace scree

@@ -5,7 +5,8 @@
 
 namespace scree {
 
-/// A colour that is a share of the light. Throws Error, located, unless each part is from 0 to 1.
+/// A colour parameter that is a reflectance. Throws a located Error unless each channel is in [0,
+/// 1].
 inline Color reflectance(const Params& params, const std::string& name) {
     const Color& color = params.color(name);
     for (int i = 0; i < 3; ++i)

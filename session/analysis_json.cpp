@@ -43,7 +43,7 @@ Json pairs_json(const AnalysisReport& report) {
     return out;
 }
 
-// NaN becomes null.
+// NaN is written as null.
 Json spectra_json(const AnalysisReport& report) {
     const RadialSpectrum& radial = report.radial;
     Json out{{"bin_width", radial.bin_width},

@@ -8,13 +8,13 @@
 
 namespace scree {
 
-/// A report with the generator it is of.
+/// A report with the name of its generator.
 struct NamedReport {
     std::string generator;
     AnalysisReport report;
 };
 
-/// The text of `scree analyse` (docs/formats.md).
+/// The JSON output of `scree analyse` (docs/formats.md).
 std::string analysis_json(const std::vector<NamedReport>& reports, const std::string& source);
 
 } // namespace scree

@@ -26,13 +26,13 @@ Catalog standard_catalog() {
 
 std::vector<CatalogRow> catalog_rows(const Catalog& catalog) {
     std::vector<ParamSpec> scene = scene_params();
-    scene.front().fields.clear(); // the film's, which has a row of its own
+    scene.front().fields.clear(); // film is listed in a separate row
     std::vector<CatalogRow> rows{{"", "scene", "What a script returns.", std::move(scene)}};
     for (const Registry<MakeObject>& family : catalog.families())
         for (const Plugin<MakeObject>& plugin : family.plugins()) {
             const bool alone = plugin.name == family.family();
             rows.push_back({alone ? "" : family.family(), plugin.name, plugin.doc, plugin.params});
-            if (alone) // beside the other table without a family
+            if (alone) // film follows the other row without a family
                 rows.push_back(
                     {"", "film", "The picture: its size and how it is sampled.", film_params()});
         }

@@ -5,10 +5,10 @@
 
 namespace scree {
 
-/// The plug-ins of all folders; more may be added before a script is read.
+/// The built-in plug-ins of all folders; more may be added before a script is read.
 Catalog standard_catalog();
 
-/// One thing that a scene can name.
+/// One constructor or record that a scene can contain.
 struct CatalogRow {
     std::string family; // "mesh"; "" for scene, object and film
     std::string name;   // "banana"
@@ -16,7 +16,7 @@ struct CatalogRow {
     std::vector<ParamSpec> params;
 };
 
-/// Every row of a catalog, and scene and film, for `scree list` and the reference page.
+/// All plug-ins of a catalog, and scene and film, for `scree list` and the reference page.
 std::vector<CatalogRow> catalog_rows(const Catalog& catalog);
 
 } // namespace scree

@@ -6,18 +6,18 @@
 
 namespace scree {
 
-/// The row of a file name's ending. Throws Error (usage) that lists those there are.
+/// The format of a file name's extension. Throws Error (usage) that lists the known ones.
 const SceneFormat& scene_format(std::span<const SceneFormat> formats, const std::string& path);
 
-/// What was written.
+/// The result of an export.
 struct Exported {
-    Scene scene;                        // what the format holds of it
-    std::optional<Fabrication> solid{}; // for Holds::solid
+    Scene scene;                        // the part of the scene that was written
+    std::optional<Fabrication> solid{}; // set for Holds::solid
 };
 
-/// Writes what the format holds of the scene (stage "write") and tells the watcher. `pixels`: of
-/// the longer side of a picture. Throws Error when there is nothing of that kind in the scene, and
-/// as `make_solid` and the writer do.
+/// Writes the part of the scene that the format holds (stage "write") and reports to the watcher.
+/// `pixels` is the longer side of a picture. Throws Error when the scene contains nothing for the
+/// format, and as `make_solid` and the writer do.
 Exported export_scene(Session& session, Scene scene, const SceneFormat& format,
                       const std::string& path, int pixels, const SolidOptions& solid);
 

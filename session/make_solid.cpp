@@ -34,7 +34,7 @@ std::string describe(const Fabrication& made) {
     return out;
 }
 
-// The first few by name, the others by number.
+// Names the first few and counts the others.
 void say_removed(const Fabrication& made, Watcher& watcher) {
     constexpr std::size_t shown = 5;
     if (made.removed.empty())

@@ -6,14 +6,14 @@
 
 namespace scree {
 
-/// How `make_solid` makes one closed surface of a scene.
+/// Options of `make_solid`.
 struct SolidOptions {
     FabricationOptions fabrication;
-    bool skip_open = false; // leave out what is not closed; otherwise it is an error
+    bool skip_open = false; // leave out open components, which are an error otherwise
 };
 
-/// The union of the aggregates' components, or the Error that names what stands in its way. Tells
-/// the watcher what was made of it and what was left out.
+/// The union of the aggregates' components as one closed surface. Reports to the watcher what was
+/// made and what was left out. Throws Error naming components that prevent it.
 Fabrication make_solid(std::span<const Aggregate> aggregates, const SolidOptions& options,
                        Session& session);
 

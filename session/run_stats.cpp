@@ -4,7 +4,7 @@
 #include "core/parallel.h"
 #include "core/version.h"
 #include "fabrication/fabricate.h"
-#include "formats/bake_json.h"
+#include "formats/write_bake_json.h"
 
 #include <nlohmann/json.hpp>
 

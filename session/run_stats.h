@@ -12,15 +12,15 @@ namespace scree {
 
 struct Fabrication;
 
-/// What a render adds to the stats.
+/// Statistics of a render.
 struct RenderFigures {
     RenderStats stats;
     std::size_t instances = 0;
     std::size_t scene_bytes = 0;
 };
 
-/// The text of --stats (docs/formats.md): every stage's cost, every generator's facts, the
-/// renderer's figures when there was a render, and a texture's or a solid's when one was baked.
+/// The JSON of --stats (docs/formats.md): the cost of every stage, the facts of every generator
+/// and, if any, the statistics of the render, the texture or the solid.
 std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggregates,
                            const RenderFigures* render, const Facts& texture = {},
                            const Fabrication* solid = nullptr);

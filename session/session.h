@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One run from a scene's file to what is made of it, without command-line types: what the commands
-// and the studio call.
+// One run from a scene file to its outputs, without command-line types: called by the commands and
+// the studio.
 #pragma once
 
 #include "core/device.h"
@@ -16,18 +16,18 @@
 
 namespace scree {
 
-/// What a session is opened with.
+/// Options of a session.
 struct SessionOptions {
     std::string path;                               // of the scene
-    std::map<std::string, std::string> overrides{}; // of the script's arg(...)
+    std::map<std::string, std::string> overrides{}; // values for the script's arg(...)
     std::string device{};                           // as Device takes it, or "none"
     int threads = 0;                                // 0: all
 };
 
-/// The steps from a file to a finished scene. While it lives, its number of threads is the limit.
+/// The steps from a file to a finished scene. Limits the number of threads during its lifetime.
 class Session {
   public:
-    /// Nobody watches, and nothing cancels. The catalog holds what the scene can name.
+    /// Without watcher and cancellation. The catalog holds what the scene can name.
     explicit Session(SessionOptions options, Catalog catalog = standard_catalog())
         : Session(std::move(options), nobody(), never(), std::move(catalog)) {}
 
@@ -41,13 +41,13 @@ class Session {
     /// Reads and checks the scene (stage "parse").
     SceneDraft load();
 
-    /// Bakes the items (stage "generate") and tells the watcher of each generator.
+    /// Bakes the items (stage "generate") and reports each generator to the watcher.
     Scene bake(SceneDraft draft);
 
-    /// What long work may use; its progress is shown as that of `what`.
+    /// A context for a long computation, whose progress is shown as that of `what`.
     Context context(const std::string& what);
 
-    /// The OpenCL device, opened on first use; null where there is to be none.
+    /// The OpenCL device, opened on first use; null for the device "none".
     Device* device();
 
     const Catalog& catalog() const { return catalog_; }

@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// Gives every prototype that is a picture and has no material a matte one that shows the picture.
+/// Gives every prototype with a picture but no material a matte material that shows the picture.
 void show_pictures(std::span<Aggregate> aggregates);
 
 } // namespace scree

@@ -17,7 +17,7 @@ double cpu_seconds() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// Linux: writing 5 makes the kernel start the resident peak anew (proc(5)).
+// On Linux, writing 5 resets the peak of the resident memory (proc(5)).
 void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 double peak_memory_mib() {

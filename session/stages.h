@@ -7,7 +7,7 @@
 
 namespace scree {
 
-/// What one stage of a run cost.
+/// The cost of one stage of a run.
 struct StageCost {
     std::string name; // parse, generate, build, render, write
     double wall_s = 0;

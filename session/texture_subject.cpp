@@ -10,7 +10,7 @@ namespace scree {
 
 namespace {
 
-float own_roughness(const Material& material) {
+float roughness_of(const Material& material) {
     return std::visit(
         [](const auto& m) {
             if constexpr (requires { m.roughness; })
@@ -39,11 +39,11 @@ std::vector<std::uint32_t> textured_prototypes(const Aggregate& aggregate) {
     return out;
 }
 
-/// The index of the item whose procedural is meant.
+/// The index of the selected item.
 std::size_t chosen_item(const std::string& scene_path, const Scene& scene, int number) {
     if (number > 0)
         return std::size_t(number) - 1;
-    std::vector<std::size_t> found; // from 1
+    std::vector<std::size_t> found; // counted from 1
     for (std::size_t i = 0; i < scene.aggregates.size(); ++i)
         if (!textured_prototypes(scene.aggregates[i]).empty())
             found.push_back(i + 1);
@@ -100,7 +100,7 @@ TextureSubject texture_subject(const std::string& scene_path, const Scene& scene
     subject.kind = kind;
     subject.source.mesh = std::get<std::shared_ptr<const Mesh>>(prototype.shape);
     subject.source.procedural = procedural_of(prototype);
-    subject.source.roughness = own_roughness(*prototype.material);
+    subject.source.roughness = roughness_of(*prototype.material);
     std::vector<const Instance*> places;
     for (const Instance& instance : aggregate.instances)
         if (instance.prototype == found.front())

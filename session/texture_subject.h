@@ -6,21 +6,21 @@
 
 namespace scree {
 
-/// What `scree texture` bakes: a mesh of the scene with its procedural.
+/// A mesh of the scene with the procedural that `scree texture` bakes.
 struct TextureSubject {
     TextureSource source;
-    Matrix world_from_object; // identity where it stands in several places
+    Matrix world_from_object; // identity when it has several instances
     Location where;           // of the object or generator in the script
     std::string kind;         // "object", "generator.layout"
 
-    /// Errors about the mesh, by its name, and the material, with their place in the script.
+    /// Errors about the mesh or the material, located in the script.
     Error mesh_error(const std::string& message, const std::string& hint = {}) const;
     Error material_error(const std::string& message, const std::string& hint = {}) const;
 };
 
-/// The one of object `number` (counted from 1 in the order of scene.objects; 0: the only one that
-/// has a procedural). Throws Error when there is no such object, when it has no procedural or
-/// several, and when one must be named.
+/// The subject of object `number`, counted from 1 in the order of scene.objects; 0 selects the only
+/// object that has a procedural. Throws Error when there is no such object, when it has no
+/// procedural or several, and when `number` is 0 but several objects have one.
 TextureSubject texture_subject(const std::string& scene_path, const Scene& scene, int number);
 
 } // namespace scree

@@ -5,19 +5,20 @@
 
 namespace scree {
 
-/// Who watches a session: a terminal, or the studio. Called from one thread at a time.
+/// Receives the messages and the progress of a session: a terminal or the studio. Called from one
+/// thread at a time.
 class Watcher {
   public:
     virtual ~Watcher() = default;
 
-    /// A line that stays.
+    /// A permanent line.
     virtual void say(const std::string& line) = 0;
 
-    /// How far `what` is, in [0, 1]; `detail` stands beside it. Cheap to call often.
+    /// The fraction of `what` that is done, in [0, 1], with a detail to show. May be called often.
     virtual void progress(const std::string& what, double fraction, const std::string& detail) = 0;
 };
 
-/// For when nobody watches.
+/// Ignores everything.
 class NoWatcher final : public Watcher {
   public:
     void say(const std::string& /*line*/) override {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a script names to be placed, placed in, or looked up by place.
+// The tables of shapes that a script can name: meshes, regions and fields.
 #pragma once
 
 #include "core/registry.h"

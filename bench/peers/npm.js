@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// node npm.js PACKAGE RADIUS: fills the unit square with a package of the npm registry (NODE_PATH
-// says where it is) and prints the CPU seconds, then a point a line.
+// node npm.js PACKAGE RADIUS: fills the unit square with a package of the npm registry (found by
+// NODE_PATH) and prints the CPU seconds, then one point per line.
 const [name, radius] = [process.argv[2], Number(process.argv[3])];
 let Sampler;
 try {
@@ -8,7 +8,7 @@ try {
 } catch {
   process.exit(1);
 }
-const side = 1000; // its own unit: some packages count in pixels
+const side = 1000; // of the square, since some packages work in pixels
 const fill = (r) => new Sampler({ shape: [side, side], radius: r, minDistance: r, tries: 30 }).fill();
 fill(side / 30); // compiles it
 const start = process.cpuUsage();

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # python3 qmc.py RADIUS: fills the unit square with scipy.stats.qmc.PoissonDisk and prints the CPU
-# seconds, then a point a line.
+# seconds, then one point per line.
 import sys
 import time
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Rscript spatstat.R RADIUS: fills the unit square with spatstat.random's rSSI and prints the CPU
-# seconds, then a point a line.
+# seconds, then one point per line.
 if (!suppressWarnings(suppressMessages(require(spatstat.random, quietly = TRUE)))) quit(status = 1)
 radius <- as.numeric(commandArgs(trailingOnly = TRUE)[1])
 start <- proc.time()

@@ -4,7 +4,6 @@
 #include "core/located.h"
 #include "generators/elements/class_sizes.h"
 #include "geometry/plane/flat_mesh.h"
-#include "geometry/plane/picture_shape.h"
 #include "geometry/plane/region_tools.h"
 
 #include <fmt/format.h>
@@ -15,52 +14,28 @@ namespace scree {
 
 namespace {
 
-void read_mesh(const Params& component, Prototype& prototype) {
-    prototype.shape = component.object<Mesh>("shape");
-    if (!component.has("region"))
-        prototype.region = located(component, "shape", [&] {
-            return std::make_shared<const Region>(silhouette(*prototype.mesh()));
-        });
-}
-
-void read_picture(const Params& component, Prototype& prototype) {
-    PictureShape shape = picture_shape(component);
-    prototype.shape = std::move(shape.mesh);
-    prototype.region = std::move(shape.region);
-    prototype.picture = std::move(shape.picture);
-}
-
-Prototype read_prototype(const Params& component, std::size_t index) {
-    const bool has_shape = component.has("shape");
-    if (has_shape == component.has("picture"))
-        throw component.error("shape",
-                              has_shape ? "is given beside a picture; one of them will do"
-                                        : "is missing, and there is no picture either",
-                              has_shape ? ""
-                                        : "expected a mesh.* or region.*, or picture = a path");
+Prototype prototype_of(const ElementComponent& component, std::size_t index) {
     Prototype prototype;
-    if (!has_shape) {
-        read_picture(component, prototype);
-    } else if (component.object<Mesh>("shape") != nullptr) {
-        read_mesh(component, prototype);
+    if (component.picture) {
+        prototype.shape = component.picture->mesh;
+        prototype.region = component.picture->region;
+        prototype.picture = component.picture->picture;
+    } else if (component.mesh != nullptr) {
+        prototype.shape = component.mesh;
+        prototype.region =
+            component.given_region != nullptr
+                ? component.given_region
+                : located(component.shape_place, [&] {
+                      return std::make_shared<const Region>(silhouette(*component.mesh));
+                  });
     } else {
-        prototype.region = component.object<Region>("shape");
+        prototype.region = component.flat_shape;
         prototype.shape = std::make_shared<const Mesh>(
-            flat_mesh(*prototype.region, fmt::format("component_{}", index)));
+            flat_mesh(*component.flat_shape, fmt::format("component_{}", index)));
     }
-    if (prototype.region == nullptr)
-        prototype.region = component.object<Region>("region");
     prototype.name = prototype.mesh()->name;
-    prototype.material = component.object<Material>("material");
+    prototype.material = component.material;
     return prototype;
-}
-
-Range turn_of(const Params& params, const Params& component) {
-    if (component.has("rotation"))
-        return component.range("rotation");
-    if (params.has("rotation"))
-        return params.range("rotation");
-    return params.has("surface") ? Range{0, 2 * pi} : Range{0, 0};
 }
 
 /// How much directions of elements may differ, apart from where they lie.
@@ -75,81 +50,79 @@ EllipseAxes grown(const EllipseAxes& axes, double by) {
     return {axes.length + by, axes.width + by};
 }
 
-/// What is given, the other axis in the shape's proportions; the larger one for disks.
-EllipseAxes given_axes(const Params& component, const EllipseAxes& own, bool disk) {
-    const double aspect = own.width / own.length;
+/// The axes that the script gives. Where it gives one of them, the other follows in the proportions
+/// of `derived`; a disk has the larger one.
+EllipseAxes given_axes(const ElementComponent& component, const EllipseAxes& derived, bool disk) {
+    const double aspect = derived.width / derived.length;
     EllipseAxes axes;
-    axes.length =
-        component.has("length") ? component.number("length") : component.number("width") / aspect;
-    axes.width = component.has("width") ? component.number("width") : axes.length * aspect;
+    axes.length = component.length ? *component.length : *component.width / aspect;
+    axes.width = component.width ? *component.width : axes.length * aspect;
     if (disk)
         axes.length = axes.width = std::max(axes.length, axes.width);
     return axes;
 }
 
 /// What keeps others away.
-const Region& outline_of(const Params& component, const Prototype& prototype) {
-    return component.has("region") ? *component.object<Region>("region") : *prototype.region;
+const Region& outline_of(const ElementComponent& component, const Prototype& prototype) {
+    return component.given_region != nullptr ? *component.given_region : *prototype.region;
 }
 
-void measure(const Params& component, bool disk, double spread, ElementShape& shape) {
+void measure(const ElementComponent& component, bool disk, double spread, ElementShape& shape) {
     const Region& region = outline_of(component, shape.prototype);
-    const double margin = component.number("margin");
+    const double margin = component.margin;
     shape.reach = enclosing_disk(region).length + margin;
     EllipseAxes& half = shape.room.half;
     EllipseAxes& exclusive = shape.room.exclusive;
     half = grown(disk ? enclosing_disk(region) : enclosing_ellipse(region), margin);
     if (!(std::min(half.length, half.width) > 0))
-        throw component.error("margin", "leaves nothing of the element");
+        throw component.margin_place.error("leaves nothing of the element");
     exclusive = exclusive_ellipse(half, spread);
-    shape.sized = component.has("length") || component.has("width");
+    shape.sized = component.length || component.width;
     if (shape.sized)
         exclusive = grown(given_axes(component, exclusive, disk), 2 * margin);
     if (!(std::min(exclusive.length, exclusive.width) > 0))
-        throw component.error("margin", "leaves nothing of the length and width given");
+        throw component.margin_place.error("leaves nothing of the length and width given");
 }
 
 } // namespace
 
-std::vector<ElementShape> element_shapes(const Params& params) {
-    const std::vector<Params>& components = params.list("components");
+std::vector<ElementShape> element_shapes(const ElementsSettings& settings) {
+    const std::vector<ElementComponent>& components = settings.components;
     std::vector<ElementShape> shapes(components.size());
     for (std::size_t i = 0; i < components.size(); ++i) {
-        const Params& component = components[i];
+        const ElementComponent& component = components[i];
         ElementShape& shape = shapes[i];
-        shape.prototype = read_prototype(component, i);
+        shape.prototype = prototype_of(component, i);
         const Region& outline = outline_of(component, shape.prototype);
         shape.area = area(outline);
         if (!(shape.area > 0))
-            throw component.error(component.has("region") ? "region" : "shape",
-                                  "the region has no area");
+            throw component.region_place.error("the region has no area");
         shape.centre = bounds(outline).center();
-        shape.weight = component.number("weight");
-        shape.height = component.number("height");
-        shape.turn = turn_of(params, component);
+        shape.weight = component.weight;
+        shape.height = component.height;
+        shape.turn = component.turn;
     }
     const double spread = spread_of(shapes);
-    const bool disk = params.text("exclusion") == "disk" || params.has("surface");
     for (std::size_t i = 0; i < components.size(); ++i) {
-        measure(components[i], disk, spread, shapes[i]);
-        if (params.text("mix") == "even" && shapes[i].sized != shapes[0].sized)
-            throw components[i].error("length",
-                                      shapes[i].sized
-                                          ? "is given here, but no size for components[1]"
-                                          : "is missing, but components[1] has its size given",
-                                      "evenly mixed components have their sizes given all or none");
+        measure(components[i], settings.are_disks, spread, shapes[i]);
+        if (settings.mix == ElementMix::even && shapes[i].sized != shapes[0].sized)
+            throw components[i].length_place.error(
+                shapes[i].sized ? "is given here, but no size for components[1]"
+                                : "is missing, but components[1] has its size given",
+                "evenly mixed components have their sizes given all or none");
     }
     return shapes;
 }
 
-std::vector<DiskClass> disk_classes(const Params& params, const std::vector<ElementShape>& shapes) {
+std::vector<DiskClass> disk_classes(const ElementsSettings& settings,
+                                    const std::vector<ElementShape>& shapes) {
     std::vector<DiskClass> classes;
-    if (params.text("mix") == "random") {
+    if (settings.mix == ElementMix::random) {
         DiskClass all{.turn = shapes.front().turn};
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             if (shapes[i].turn.low != all.turn.low || shapes[i].turn.high != all.turn.high)
-                throw params.list("components")[i].error(
-                    "rotation", "differs from that of components[1]",
+                throw settings.components[i].rotation_place.error(
+                    "differs from that of components[1]",
                     "components mixed at random all turn alike");
             all.length = std::max(all.length, shapes[i].room.exclusive.length);
             all.width = std::max(all.width, shapes[i].room.exclusive.width);

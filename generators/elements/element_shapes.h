@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/params.h"
+#include "generators/elements/elements_settings.h"
 #include "generators/elements/exclusive_ellipse.h"
 #include "geometry/sampling/poisson_disk.h"
 #include "model/aggregate.h"
@@ -15,21 +15,21 @@ struct ElementShape {
     double area = 0;    // of the region [m^2]
     double reach = 0;   // of the region from its centre, and the margin [m]
     double weight = 1;  // its share of all elements, relative to the others
-    double height = 0;  // [m]
+    double height = 0;  // above the ground or surface [m]
     Range turn{0, 0};   // [rad]
-    ElementRoom room;   // what it fills, and its exclusive ellipse, margin included
-    bool sized = false; // the latter is given, otherwise derived from the former
+    ElementRoom room;   // both ellipses with the margin
+    bool sized = false; // the script gives the exclusive ellipse, which otherwise follows from what
+                        // the element fills
 };
 
-/// Reads generator.elements' components. Throws Error, located, for a component without shape and
-/// picture or with both, a picture that cannot be read, a mesh without a silhouette, a region
-/// without area, a margin that leaves nothing, and components of which only some are sized while
-/// they are mixed evenly.
-std::vector<ElementShape> element_shapes(const Params& params);
+/// Throws Error, located, for a mesh without a silhouette, a region without area, a margin that
+/// leaves nothing, and evenly mixed components of which only some have their sizes given.
+std::vector<ElementShape> element_shapes(const ElementsSettings& settings);
 
 /// The classes that the components are sampled as. Mixed evenly: one each; where the sizes were
 /// derived they are spread by `class_sizes`, and the ellipses keep their proportions. Mixed at
 /// random: one whose ellipse holds all; throws Error, located, when components' turns differ.
-std::vector<DiskClass> disk_classes(const Params& params, const std::vector<ElementShape>& shapes);
+std::vector<DiskClass> disk_classes(const ElementsSettings& settings,
+                                    const std::vector<ElementShape>& shapes);
 
 } // namespace scree

@@ -7,6 +7,7 @@
 #include "generators/elements/element_kinds.h"
 #include "generators/elements/element_shapes.h"
 #include "generators/elements/elements_on_surface.h"
+#include "generators/elements/elements_settings.h"
 #include "generators/elements/elements_specs.h"
 #include "geometry/plane/field.h"
 #include "geometry/plane/ground_plane.h"
@@ -25,54 +26,54 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// What multiplies the distances: the elements' scale and their spacing.
-std::shared_ptr<const Field> distance_scale(const Params& params) {
-    const std::shared_ptr<const Field> scale = field_of(params, "scale_by");
-    const std::shared_ptr<const Field> spacing = field_of(params, "spacing_by");
-    return scale && spacing ? std::make_shared<const ProductField>(scale, spacing)
-           : scale          ? scale
-                            : spacing;
+std::shared_ptr<const Field> distance_scale(const ElementsSettings& settings) {
+    if (settings.scale && settings.spacing)
+        return std::make_shared<const ProductField>(settings.scale, settings.spacing);
+    return settings.scale ? settings.scale : settings.spacing;
 }
 
 /// The domain less what is too near to its border for the farthest-reaching element.
-std::shared_ptr<const Region> inner_domain(const Params& params,
+std::shared_ptr<const Region> inner_domain(const ElementsSettings& settings,
                                            const std::vector<ElementShape>& shapes) {
-    const std::shared_ptr<const Region> domain = params.object<Region>("domain");
+    const std::shared_ptr<const Region>& domain = settings.domain;
     const auto farthest =
         std::max_element(shapes.begin(), shapes.end(),
                          [](const auto& a, const auto& b) { return a.reach < b.reach; });
-    const double scale =
-        params.has("scale_by") ? field_of(params, "scale_by")->over(bounds(*domain)).high : 1;
+    const double scale = settings.scale ? settings.scale->over(bounds(*domain)).high : 1;
     const double reach = farthest->reach * scale;
     if (reach <= 0)
         return domain;
     try {
-        // What it is eroded by is a polygon of 32 corners inscribed in a disk.
+        // `offset` erodes by a polygon of 32 corners that is inscribed in a disk.
         return std::make_shared<const Region>(offset(*domain, -reach / std::cos(pi / 32)));
-    } catch (const Error&) {
+    } catch (const Error& error) {
+        if (error.fault() != Fault::input)
+            throw;
         const std::size_t i = std::size_t(farthest - shapes.begin());
-        throw params.list("components")[i].error(
-            "shape", fmt::format("reaches {:.4g} m from its centre; a disk of that radius fits "
-                                 "nowhere in the domain",
-                                 reach));
+        throw settings.components[i].shape_place.error(
+            fmt::format("reaches {:.4g} m from its centre; a disk of that radius fits nowhere in "
+                        "the domain",
+                        reach));
     }
 }
 
-PoissonDiskProblem problem_from(const Params& params, const std::vector<ElementShape>& shapes) {
-    const std::shared_ptr<const Region> domain = params.object<Region>("domain");
+PoissonDiskProblem problem_from(const ElementsSettings& settings,
+                                const std::vector<ElementShape>& shapes) {
+    const std::shared_ptr<const Region>& domain = settings.domain;
     if (!(area(*domain) > 0))
-        throw params.error("domain", "the domain has no area");
-    const bool torus = params.flag("torus");
-    if (torus && !is_rectangle(*domain))
-        throw params.error("torus", "the domain is no rectangle along x and z; only such tile");
+        throw settings.domain_place.error("the domain has no area");
+    if (settings.torus && !is_rectangle(*domain))
+        throw settings.torus_place.error(
+            "the domain is no rectangle along x and z; only such tile");
     return {
         .domain =
-            !torus && params.text("inside") == "whole" ? inner_domain(params, shapes) : domain,
-        .torus = torus,
-        .classes = disk_classes(params, shapes),
-        .direction = field_of(params, "direction"),
-        .scale = distance_scale(params),
-        .seed = static_cast<std::uint64_t>(params.integer("seed")),
-        .relax = static_cast<int>(params.integer("relax")),
+            !settings.torus && settings.whole_inside ? inner_domain(settings, shapes) : domain,
+        .torus = settings.torus,
+        .classes = disk_classes(settings, shapes),
+        .direction = settings.direction,
+        .scale = distance_scale(settings),
+        .seed = settings.seed,
+        .relax = settings.relax,
         .kept = {},
         .window = {},
     };
@@ -95,10 +96,11 @@ std::vector<Instance> instances_of(const std::vector<DiskSample>& samples,
     return instances;
 }
 
-/// `fill_with_margin` counts the halves of the ellipses, which are what does not overlap when all
-/// elements point the same way. Evenly mixed classes of given sizes come nearer to each other than
-/// to their own kind, so that there it means nothing and is left out; as where the spacing varies.
-Facts facts_of(const Params& params, const std::vector<ElementShape>& shapes,
+/// `fill_with_margin` is the share that the ellipses of half size cover, which do not overlap when
+/// all elements point the same way. It is left out where they may overlap: of evenly mixed classes
+/// of given sizes, which come nearer to each other than to elements of the same class, and where
+/// the spacing varies.
+Facts facts_of(const ElementsSettings& settings, const std::vector<ElementShape>& shapes,
                const PoissonDiskSet& set, const std::vector<std::uint32_t>& components) {
     double bare = 0, exclusive = 0;
     for (std::size_t i = 0; i < set.samples.size(); ++i) {
@@ -107,11 +109,11 @@ Facts facts_of(const Params& params, const std::vector<ElementShape>& shapes,
         bare += shape.area * scale2;
         exclusive += pi / 4 * shape.room.exclusive.length * shape.room.exclusive.width * scale2;
     }
-    const double domain = area(*params.object<Region>("domain"));
+    const double domain = area(*settings.domain);
     Facts facts{{"count", double(set.samples.size())}, {"fill", bare / domain}};
     const bool overlap_within =
-        shapes.size() > 1 && params.text("mix") == "even" && shapes.front().sized;
-    if (!overlap_within && !params.has("spacing_by"))
+        shapes.size() > 1 && settings.mix == ElementMix::even && shapes.front().sized;
+    if (!overlap_within && settings.spacing == nullptr)
         facts.emplace_back("fill_with_margin", exclusive / domain);
     facts.emplace_back("trials", double(set.trials));
     facts.emplace_back("unresolved", double(set.unresolved));
@@ -119,36 +121,30 @@ Facts facts_of(const Params& params, const std::vector<ElementShape>& shapes,
     return facts;
 }
 
-std::shared_ptr<const Picture> background_of(const Params& params) {
-    if (!params.has("background"))
+std::shared_ptr<const Picture> background_of(const ElementsSettings& settings) {
+    if (settings.background.empty())
         return nullptr;
-    return located(params, "background", [&] {
-        Picture picture = read_picture(params.text("background"));
-        picture.box = bounds(*params.object<Region>("domain"));
+    return located(settings.background_place, [&] {
+        Picture picture = read_picture(settings.background);
+        picture.box = bounds(*settings.domain);
         return std::make_shared<const Picture>(std::move(picture));
     });
 }
 
 Aggregate bake_elements(const Params& params, const Context& context) {
     const auto start = Clock::now();
-    if (params.has("domain") == params.has("surface"))
-        throw params.error(params.has("domain") ? "surface" : "domain",
-                           params.has("domain") ? "is given beside a domain; one of them will do"
-                                                : "is missing, and there is no surface either",
-                           params.has("domain") ? ""
-                                                : "expected a region.*, or surface = a mesh.*");
-    const std::vector<ElementShape> shapes = element_shapes(params);
-    if (params.has("surface"))
-        return bake_on_surface(params, shapes, context);
-    const PoissonDiskProblem problem = problem_from(params, shapes);
+    const ElementsSettings settings = elements_settings(params);
+    const std::vector<ElementShape> shapes = element_shapes(settings);
+    if (settings.surface != nullptr)
+        return bake_on_surface(settings, shapes, context);
+    const PoissonDiskProblem problem = problem_from(settings, shapes);
     const auto sampling_start = Clock::now();
-    PoissonDiskSet set = located(params, problem.torus ? "torus" : "components",
+    PoissonDiskSet set = located(problem.torus ? settings.torus_place : settings.components_place,
                                  [&] { return sample_poisson_disks(problem, context); });
     const std::chrono::duration<double> sampling = Clock::now() - sampling_start;
-    if (params.has("spacing_by"))
+    if (settings.spacing != nullptr)
         for (DiskSample& sample : set.samples)
-            sample.scale =
-                params.has("scale_by") ? field_of(params, "scale_by")->at(sample.position) : 1;
+            sample.scale = settings.scale ? settings.scale->at(sample.position) : 1;
     std::vector<std::uint32_t> classes;
     for (const DiskSample& sample : set.samples)
         classes.push_back(sample.disk_class);
@@ -161,11 +157,11 @@ Aggregate bake_elements(const Params& params, const Context& context) {
     for (const ElementShape& shape : shapes)
         aggregate.prototypes.push_back(shape.prototype);
     aggregate.instances = instances_of(set.samples, components, shapes, problem.seed);
-    aggregate.domain = params.object<Region>("domain");
-    aggregate.background = background_of(params);
+    aggregate.domain = settings.domain;
+    aggregate.background = background_of(settings);
     aggregate.torus = problem.torus;
     aggregate.texture = true;
-    aggregate.facts = facts_of(params, shapes, set, components);
+    aggregate.facts = facts_of(settings, shapes, set, components);
     aggregate.facts.emplace_back("sampling_seconds", sampling.count());
     const std::chrono::duration<double> seconds = Clock::now() - start;
     aggregate.facts.emplace_back("seconds", seconds.count());

@@ -13,14 +13,19 @@ namespace scree {
 
 namespace {
 
-void check_params(const Params& params) {
-    for (const char* name : {"direction", "scale_by", "spacing_by", "background"})
-        if (params.has(name))
-            throw params.error(name, "lies on the ground, but the elements stand on a surface");
-    if (params.flag("torus"))
-        throw params.error("torus", "is set, but a surface does not tile");
-    if (params.integer("relax") > 0)
-        throw params.error("relax", "is set, but elements on a surface do not move");
+void check_settings(const ElementsSettings& settings) {
+    const auto refuse = [](bool given, const ParamPlace& place) {
+        if (given)
+            throw place.error("lies on the ground, but the elements stand on a surface");
+    };
+    refuse(settings.direction != nullptr, settings.direction_place);
+    refuse(settings.scale != nullptr, settings.scale_place);
+    refuse(settings.spacing != nullptr, settings.spacing_place);
+    refuse(!settings.background.empty(), settings.background_place);
+    if (settings.torus)
+        throw settings.torus_place.error("is set, but a surface does not tile");
+    if (settings.relax > 0)
+        throw settings.relax_place.error("is set, but elements on a surface do not move");
 }
 
 // The component's centre goes to the sample, its y axis along the normal, and its x axis, at angle
@@ -43,19 +48,17 @@ Matrix standing(const ElementShape& shape, const Vec3& normal, const Imath::V3d&
 
 } // namespace
 
-Aggregate bake_on_surface(const Params& params, const std::vector<ElementShape>& shapes,
+Aggregate bake_on_surface(const ElementsSettings& settings, const std::vector<ElementShape>& shapes,
                           const Context& context) {
     const auto start = std::chrono::steady_clock::now();
-    check_params(params);
-    const std::shared_ptr<const Mesh> mesh = params.object<Mesh>("surface");
-    const std::vector<DiskClass> classes = disk_classes(params, shapes);
-    SurfaceDiskProblem problem{.mesh = mesh.get(),
-                               .distances = {},
-                               .seed = static_cast<std::uint64_t>(params.integer("seed"))};
+    check_settings(settings);
+    const Mesh& mesh = *settings.surface;
+    const std::vector<DiskClass> classes = disk_classes(settings, shapes);
+    SurfaceDiskProblem problem{.mesh = &mesh, .distances = {}, .seed = settings.seed};
     for (const DiskClass& c : classes)
         problem.distances.push_back(c.length);
     const SurfaceDiskSet set =
-        located(params, "surface", [&] { return sample_surface_disks(problem, context); });
+        located(settings.surface_place, [&] { return sample_surface_disks(problem, context); });
     std::vector<std::uint32_t> sample_classes;
     for (const SurfaceSample& sample : set.samples)
         sample_classes.push_back(sample.disk_class);
@@ -76,7 +79,7 @@ Aggregate bake_on_surface(const Params& params, const std::vector<ElementShape>&
         aggregate.instances[i] = {
             .prototype = components[i],
             .world_from_object =
-                standing(shape, smooth_normal(*mesh, sample), sample.position, angle),
+                standing(shape, smooth_normal(mesh, sample), sample.position, angle),
             .random = Random(problem.seed, Purpose::instance_attribute, i).uniform_float(),
             .angle = angle,
             .scale = 1};
@@ -85,7 +88,7 @@ Aggregate bake_on_surface(const Params& params, const std::vector<ElementShape>&
     for (const std::uint32_t component : components)
         bare += shapes[component].area;
     aggregate.facts = {{"count", double(set.samples.size())},
-                       {"fill", bare / area(*mesh)},
+                       {"fill", bare / area(mesh)},
                        {"trials", double(set.trials)},
                        {"unresolved", double(set.unresolved)}};
     add_shares(components, shapes.size(), aggregate.facts);

@@ -6,10 +6,10 @@
 
 namespace scree {
 
-/// Elements that stand on the mesh `surface`: their y axes point along its normals, the smooth ones
-/// where it has such. Throws Error, located, for what only a flat domain has (fields, torus,
+/// Elements that stand on the settings' surface: their y axes point along its normals, the smooth
+/// ones where it has such. Throws Error, located, for what only a flat domain has (fields, torus,
 /// background) and for a mesh without a surface.
-Aggregate bake_on_surface(const Params& params, const std::vector<ElementShape>& shapes,
+Aggregate bake_on_surface(const ElementsSettings& settings, const std::vector<ElementShape>& shapes,
                           const Context& context);
 
 } // namespace scree

@@ -10,13 +10,7 @@ namespace scree {
 namespace {
 
 ParamSpec axis(std::string name, std::string doc) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = "m",
-            .optional = true,
-            .min = 1e-6,
-            .max = 1e6};
+    return optional_number_spec(std::move(name), std::move(doc), "m", 1e-6, 1e6);
 }
 
 ParamSpec rotation(std::string doc) {

@@ -9,8 +9,8 @@ namespace scree {
 
 namespace {
 
-// Tangents and turns are looked at in steps of a degree: a needle that is 30 times as long as wide
-// gets 1% more room than it needs, others less.
+// Tangents and turns are sampled in steps of a degree: a needle that is 30 times as long as wide
+// gets 1% more room than it needs, wider shapes less.
 constexpr int half_turn = 180;
 constexpr double step = pi / half_turn;
 
@@ -40,12 +40,12 @@ struct Touch {
     Vec2 from_b;
 };
 
-/// All ways in which they do at angles up to `spread` between them. The centre of one then lies on
-/// the border of their Minkowski sum, whose tangents' distances are the sums of theirs; the
-/// polygon of the tangents that are looked at holds it. Ellipses being symmetrical, only angles up
-/// to a right angle and half the directions differ.
+/// All ways in which two ellipses touch with angles up to `spread` between them. The centre of one
+/// then lies on the border of their Minkowski sum, whose tangents have the sums of their tangents'
+/// distances; the polygon of the sampled tangents contains that border. As ellipses are symmetric,
+/// only angles up to a right angle and half of the directions differ.
 std::vector<Touch> touches(const EllipseAxes& a, const EllipseAxes& b, double spread) {
-    const std::vector<double> own = tangent_distances(a), others = tangent_distances(b);
+    const std::vector<double> of_a = tangent_distances(a), of_b = tangent_distances(b);
     constexpr int reach = half_turn / 2 - 1; // farther away a tangent does not meet the direction
     std::vector<double> secants;
     for (int i = -reach; i <= reach; ++i)
@@ -56,8 +56,8 @@ std::vector<Touch> touches(const EllipseAxes& a, const EllipseAxes& b, double sp
     for (int turn = 0; turn <= turns; ++turn) {
         for (std::size_t i = 0; i < sums.size(); ++i) { // the first is `reach` before direction 0
             const int normal = static_cast<int>(i) - reach + half_turn;
-            sums[i] = own[std::size_t(normal % half_turn)] +
-                      others[std::size_t((normal - turn + half_turn) % half_turn)];
+            sums[i] = of_a[std::size_t(normal % half_turn)] +
+                      of_b[std::size_t((normal - turn + half_turn) % half_turn)];
         }
         for (int towards = 0; towards < half_turn; ++towards) {
             double distance = std::numeric_limits<double>::infinity();

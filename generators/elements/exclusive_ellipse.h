@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much room an element needs: ellipses about it, along and across its own x axis.
+// How much room an element needs: ellipses around it, along and across its x axis.
 #pragma once
 
 #include "geometry/plane/region.h"

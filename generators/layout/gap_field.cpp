@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/layout/gap_field.h"
 
-#include "core/kernel_as_cpp.h"
+#include "generators/layout/gap_field_as_cpp.h"
 #include "generators/layout/gap_field_source.h"
 
 #include <algorithm>
 #include <limits>
 
 namespace scree {
-
-namespace kernel_as_cpp {
-#include "generators/layout/gap_field.cl"
-} // namespace kernel_as_cpp
 
 namespace {
 
@@ -61,8 +57,9 @@ struct GapField::Buffers {
 GapField::GapField(const DomainTest& domain, int resolution, Device* device) : device_(device) {
     const Vec2 size = domain.box().size();
     pixel_ = std::max(size.x, size.y) / resolution;
-    // One pixel more on each side, so that the domain's border is seen as one. A torus is seen with
-    // a quarter of its images on each side, farther than gaps are wide once it is sparsely filled.
+    // One more pixel on each side, so that distances to the domain's border are measured. Around a
+    // torus lies a quarter of its images on each side, which is wider than any gap once the torus
+    // is sparsely filled.
     const Vec2 border = domain.is_torus() ? size / pixel_ / 4.0 : Vec2(1);
     const auto pixels_for = [](double length, double more) {
         return static_cast<int>(std::ceil(length - 1e-9)) + 2 * static_cast<int>(std::ceil(more));
@@ -84,7 +81,7 @@ GapField::GapField(const DomainTest& domain, int resolution, Device* device) : d
 
 GapField::~GapField() = default;
 
-void GapField::occupy(const Region& outline, const Pose& pose) {
+void GapField::occupy(const Region& outline, const FigurePose& pose) {
     changed_ = true;
     for (int y = period_ ? -1 : 0; y <= (period_ ? 1 : 0); ++y) {
         for (int x = period_ ? -1 : 0; x <= (period_ ? 1 : 0); ++x) {
@@ -122,15 +119,15 @@ void GapField::update_on_device() {
 }
 
 void GapField::update_on_host() {
-    namespace host = kernel_as_cpp;
     std::vector<int> column_distance(state_.size()), stack_column(state_.size()),
         stack_start(state_.size());
-    host::for_each_work_item(size_t(width_), [&] {
-        host::scree_column_distance(state_.data(), width_, height_, column_distance.data());
+    kernel_as_cpp::for_each_work_item(size_t(width_), [&] {
+        gap_field::scree_column_distance(state_.data(), width_, height_, column_distance.data());
     });
-    host::for_each_work_item(size_t(height_), [&] {
-        host::scree_row_distance(state_.data(), column_distance.data(), width_, stack_column.data(),
-                                 stack_start.data(), squared_.data(), row_maximum_.data());
+    kernel_as_cpp::for_each_work_item(size_t(height_), [&] {
+        gap_field::scree_row_distance(state_.data(), column_distance.data(), width_,
+                                      stack_column.data(), stack_start.data(), squared_.data(),
+                                      row_maximum_.data());
     });
 }
 
@@ -154,14 +151,14 @@ std::vector<Vec2> GapField::candidates(std::uint32_t exponent, std::uint64_t see
         device_->read(buffers_->marks, marks_.data(), pixels);
     } else {
         kernel_as_cpp::for_each_work_item(pixels, [&] {
-            kernel_as_cpp::scree_candidates(state_.data(), squared_.data(), maximum, exponent, seed,
-                                            first, marks_.data());
+            gap_field::scree_candidates(state_.data(), squared_.data(), maximum, exponent, seed,
+                                        first, marks_.data());
         });
     }
     for (size_t i = 0; i < pixels; ++i) {
         if (marks_[i] == 0)
             continue;
-        // The stream whose first number decided; its next two say where in the pixel.
+        // The first number of this stream chose the pixel; the next two give the place in it.
         Random random(seed, Purpose::layout_candidate, first + i);
         random.bits();
         const double u = random.uniform_float() - 0.5, v = random.uniform_float() - 0.5;

@@ -9,9 +9,9 @@
 
 namespace scree {
 
-/// The fill-gap method's picture of the domain: for each pixel the distance to what is placed, and
-/// the candidate points drawn from it. Runs on an OpenCL device or, without one, as C++; both give
-/// the same bytes.
+/// A pixel grid over the domain for the fill-gap method: each pixel's distance to the placed
+/// elements, and the candidate points drawn from these distances. Runs on an OpenCL device or,
+/// without one, as C++; both give the same bytes.
 class GapField {
   public:
     /// `resolution`: pixels along the domain's longest side. What lies outside the domain counts
@@ -20,7 +20,7 @@ class GapField {
     ~GapField();
 
     /// Marks the pixels whose centres lie in the region.
-    void occupy(const Region& outline, const Pose& pose);
+    void occupy(const Region& outline, const FigurePose& pose);
 
     /// The candidate points Q of a round, in pixel order, each at a random place in its pixel;
     /// empty when everything is occupied.

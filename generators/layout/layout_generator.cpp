@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/layout/layout_generator.h"
 
+#include "core/located.h"
+#include "generators/layout/layout_settings.h"
 #include "generators/layout/layout_specs.h"
-#include "generators/layout/method.h"
 #include "generators/layout/prototypes.h"
 #include "geometry/plane/ground_plane.h"
 #include "geometry/plane/region_shapes.h"
@@ -15,89 +16,81 @@ namespace scree {
 
 namespace {
 
-Inside inside_of(const Params& params) {
-    if (params.flag("torus"))
-        return Inside::torus;
-    return params.text("inside") == "whole" ? Inside::whole : Inside::centre;
-}
-
-Range rotation_of(const Params& params) {
-    if (params.has("rotation"))
-        return params.range("rotation");
-    return params.has("direction") ? Range{0, 0} : Range{0, 2 * pi};
-}
-
-LayoutFields fields_of(const Params& params) {
-    return {field_of(params, "direction"), field_of(params, "scale_by"),
-            field_of(params, "density"), field_of(params, "classes")};
-}
-
-void check_torus(const Params& params, const LayoutProblem& problem) {
+void check_torus(const LayoutSettings& settings, const LayoutProblem& problem) {
     const Vec2 size = problem.domain.box().size();
     if (!is_rectangle(problem.domain.region()))
-        throw params.error("torus", "the domain is no rectangle along x and z; only such tile");
+        throw settings.torus_place.error(
+            "the domain is no rectangle along x and z; only such tile");
     const double least = 4 * (problem.largest_radius() + problem.largest_margin());
     if (std::min(size.x, size.y) < least)
-        throw params.error("torus",
-                           fmt::format("the domain is {:.4g} m wide; with these components "
-                                       "it must be {:.4g} m, so that none meets itself",
-                                       std::min(size.x, size.y), least));
+        throw settings.torus_place.error(
+            fmt::format("the domain is {:.4g} m wide; with these components it must be {:.4g} m, "
+                        "so that none meets itself",
+                        std::min(size.x, size.y), least));
 }
 
-LayoutProblem problem_from(const Params& params, const std::vector<Prototype>& prototypes) {
+LayoutProblem problem_from(const LayoutSettings& settings,
+                           const std::vector<Prototype>& prototypes) {
     LayoutProblem problem{
-        .domain = DomainTest(params.object<Region>("domain"), inside_of(params)),
-        .fields = fields_of(params),
-        .rotation = rotation_of(params),
-        .scale = params.range("scale"),
-        .seed = static_cast<std::uint64_t>(params.integer("seed")),
+        .selection = settings.selection,
+        .domain = DomainTest(settings.domain, settings.inside),
+        .fields = settings.fields,
+        .rotation = settings.rotation,
+        .scale = settings.scale,
+        .seed = settings.seed,
+        .max_count = settings.max_count,
     };
-    if (params.has("max_count"))
-        problem.max_count = static_cast<std::size_t>(params.integer("max_count"));
-    const std::vector<Params>& components = params.list("components");
-    bool weights_differ = false;
-    for (std::size_t i = 0; i < components.size(); ++i) {
+    for (std::size_t i = 0; i < prototypes.size(); ++i) {
+        const LayoutComponent& component = settings.components[i];
         problem.shapes.emplace_back(*prototypes[i].region);
-        problem.weights.push_back(components[i].number("weight"));
-        weights_differ = weights_differ || problem.weights[i] != problem.weights[0];
+        problem.weights.push_back(component.weight);
         if (problem.fields.density)
-            problem.margins.push_back(components[i].number("margin"));
-        problem.classes.push_back(components[i].has("class")
-                                      ? static_cast<long>(components[i].integer("class"))
-                                      : static_cast<long>(i) + 1);
+            problem.margins.push_back(component.margin);
+        problem.classes.push_back(component.class_number);
     }
     if (problem.domain.is_torus())
-        check_torus(params, problem);
-    const std::string selection = params.has("selection") ? params.text("selection")
-                                  : weights_differ        ? "weighted"
-                                                          : "cyclic";
-    problem.selection = selection == "cyclic" ? Selection::cyclic : Selection::weighted;
-    if (problem.domain.inside() == Inside::whole) {
-        for (std::size_t i = 0; i < components.size(); ++i) {
-            try {
-                check_fits(problem, i, prototypes[i].name);
-            } catch (const Error& error) {
-                throw components[i].error("shape", error.diagnostics().front().message);
-            }
-        }
-    }
+        check_torus(settings, problem);
+    if (problem.domain.inside() == Inside::whole)
+        for (std::size_t i = 0; i < prototypes.size(); ++i)
+            located(settings.components[i].shape_place,
+                    [&] { check_fits(problem, i, prototypes[i].name); });
     return problem;
 }
 
 std::vector<Instance> instances_of(const LayoutProblem& problem, const Layout& layout,
-                                   const std::vector<Params>& components) {
+                                   const std::vector<LayoutComponent>& components) {
     std::vector<Instance> instances(layout.size());
     for (std::size_t i = 0; i < layout.size(); ++i) {
         const std::uint32_t c = layout.component[i];
         instances[i].prototype = c;
         instances[i].world_from_object =
             world_from_element(problem.shapes[c].centre(), layout.position[i], layout.angle[i],
-                               layout.scale[i], components[c].number("height"));
+                               layout.scale[i], components[c].height);
         instances[i].random = Random(problem.seed, Purpose::instance_attribute, i).uniform_float();
-        instances[i].angle = static_cast<float>(layout.angle[i]);
-        instances[i].scale = static_cast<float>(layout.scale[i]);
+        instances[i].angle = layout.angle[i];
+        instances[i].scale = layout.scale[i];
     }
     return instances;
+}
+
+/// Fills the domain by the method that the settings name; `certificate` is set by the saturated
+/// one.
+MethodCounts fill(const LayoutSettings& settings, const LayoutProblem& problem,
+                  Placements& placements, std::optional<Certificate>& certificate,
+                  const Context& context) {
+    switch (settings.method) {
+    case LayoutMethod::naive:
+        return fill_naive(problem, settings.naive_cancellations, placements, context);
+    case LayoutMethod::saturated:
+        return located(settings.epsilon_place, [&] {
+            const double epsilon = settings.epsilon_share * problem.smallest_inner_radius();
+            return fill_saturated(problem, {.epsilon = epsilon}, placements, certificate.emplace(),
+                                  context);
+        });
+    case LayoutMethod::fill_gap:
+        break;
+    }
+    return fill_gap(problem, settings.fill_gap, placements, context);
 }
 
 Facts facts_of(const LayoutProblem& problem, const std::vector<double>& bare_areas,
@@ -129,51 +122,27 @@ void add_certificate(const Certificate& certificate, Facts& facts) {
 
 Aggregate bake_layout(const Params& params, const Context& context) {
     const auto start = std::chrono::steady_clock::now();
-    if (!(area(*params.object<Region>("domain")) > 0))
-        throw params.error("domain", "the domain has no area");
+    const LayoutSettings settings = layout_settings(params);
+    if (!(area(*settings.domain) > 0))
+        throw settings.domain_place.error("the domain has no area");
     Components components = components_from(
-        params.list("components"), params.has("density") ? Margins::by_place : Margins::in_regions);
-    const LayoutProblem problem = problem_from(params, components.prototypes);
+        settings.components, settings.fields.density ? Margins::by_place : Margins::in_regions);
+    const LayoutProblem problem = problem_from(settings, components.prototypes);
     Placements placements(problem);
-    MethodCounts counts;
-    const std::string& method = params.text("method");
     std::optional<Certificate> certificate;
-    const auto cancellations =
-        static_cast<std::uint64_t>(params.has("cancellations") ? params.integer("cancellations")
-                                   : method == "naive"         ? 10000
-                                                               : 200);
-    if (method == "naive") {
-        counts = fill_naive(problem, cancellations, placements, context);
-    } else if (method == "saturated") {
-        const double epsilon = params.number("epsilon") * problem.smallest_inner_radius();
-        try {
-            counts = fill_saturated(problem, {.epsilon = epsilon}, placements,
-                                    certificate.emplace(), context);
-        } catch (const Error& error) {
-            throw params.error("epsilon", error.diagnostics().front().message);
-        }
-    } else {
-        counts = fill_gap(problem,
-                          {.cancellations = cancellations,
-                           .candidates = static_cast<std::size_t>(params.integer("candidates")),
-                           .exponent = static_cast<std::uint32_t>(params.integer("exponent")),
-                           .resolution = static_cast<int>(params.integer("resolution"))},
-                          placements, context);
-    }
-
+    const MethodCounts counts = fill(settings, problem, placements, certificate, context);
     if (placements.size() == 0 && problem.max_count > 0)
-        throw params.error("components",
-                           certificate ? "none of them fits anywhere in the domain"
-                                       : fmt::format("none of them found room in the domain in {} "
-                                                     "trials",
-                                                     counts.trials));
+        throw settings.components_place.error(
+            certificate
+                ? "none of them fits anywhere in the domain"
+                : fmt::format("none of them found room in the domain in {} trials", counts.trials));
 
-    const Layout layout = placements.layout(params.object<Region>("domain"));
+    const Layout layout = placements.layout(settings.domain);
     Aggregate aggregate;
     aggregate.generator = "layout";
     aggregate.seed = problem.seed;
     aggregate.prototypes = std::move(components.prototypes);
-    aggregate.instances = instances_of(problem, layout, params.list("components"));
+    aggregate.instances = instances_of(problem, layout, settings.components);
     aggregate.domain = layout.domain;
     aggregate.torus = problem.domain.is_torus();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

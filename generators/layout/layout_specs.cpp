@@ -46,9 +46,8 @@ std::vector<ParamSpec> component_specs() {
     };
 }
 
-} // namespace
-
-std::vector<ParamSpec> layout_specs() {
+/// What is placed where, and how it varies.
+std::vector<ParamSpec> element_specs() {
     return {
         {.name = "method",
          .type = ParamType::choice,
@@ -114,6 +113,12 @@ std::vector<ParamSpec> layout_specs() {
          .type = ParamType::field,
          .doc = "Rounded to a whole number, the class of component that may be placed there.",
          .optional = true},
+    };
+}
+
+/// How long the methods search, and how finely.
+std::vector<ParamSpec> search_specs() {
+    return {
         {.name = "seed",
          .type = ParamType::integer,
          .doc = "Another seed, another layout.",
@@ -158,6 +163,15 @@ std::vector<ParamSpec> layout_specs() {
          .optional = true,
          .min = 0.0},
     };
+}
+
+} // namespace
+
+std::vector<ParamSpec> layout_specs() {
+    std::vector<ParamSpec> specs = element_specs();
+    for (ParamSpec& spec : search_specs())
+        specs.push_back(std::move(spec));
+    return specs;
 }
 
 } // namespace scree

@@ -10,7 +10,7 @@ namespace scree {
 struct MethodCounts {
     std::uint64_t trials = 0;
     std::uint64_t cancellations = 0; // trials that found no room
-    std::uint64_t queries = 0;       // pairs tested, beside those that Placements counted
+    std::uint64_t queries = 0;       // pairs tested, in addition to those that Placements counted
 };
 
 /// Naive dart throwing (Sakurai & Miyata 2014, section 3.2): random place and rotation, cancelled

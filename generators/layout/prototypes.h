@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/params.h"
+#include "generators/layout/layout_settings.h"
 #include "model/aggregate.h"
 
 namespace scree {
@@ -13,12 +13,12 @@ struct Components {
 };
 
 enum class Margins {
-    in_regions, // the exclusive regions are grown or shrunk by them
-    by_place    // they are kept apart from them, since they vary
+    in_regions, // the exclusive regions are grown or shrunk by their margins
+    by_place    // the margins vary with the place, so that the regions are kept apart by them
 };
 
-/// Reads shape, region, margin and material of each component. Throws Error, located, for a mesh
-/// without a silhouette, a margin that leaves nothing, and one below 0 that is to vary.
-Components components_from(const std::vector<Params>& components, Margins margins);
+/// Throws Error, located, for a mesh without a silhouette, a region without area, a margin that
+/// leaves nothing, and one below 0 that is to vary.
+Components components_from(const std::vector<LayoutComponent>& components, Margins margins);
 
 } // namespace scree

@@ -64,8 +64,8 @@ SaturationSearch::Trial SaturationSearch::try_at(const Vec2f& point, double angl
     double turn = angle - (fields.direction ? radians(fields.direction->at(position)) : 0);
     const Range& range = layout_.rotation;
     if (is_turned_freely_) {
-        // A region that looks the same after a part of a turn may belong to a component that does
-        // not.
+        // The region may look the same after a part of a turn where the component does not: each of
+        // these turns is equally likely.
         const double period = problem_.shapes[component_].turn_period;
         const auto times = static_cast<std::uint32_t>(std::lround(2 * pi / period));
         turn += period * random_.below(times);
@@ -76,8 +76,8 @@ SaturationSearch::Trial SaturationSearch::try_at(const Vec2f& point, double angl
         turn = std::clamp(middle + angle_between(turn, middle), range.low, range.high);
     }
     const double factor = fields.scale ? fields.scale->at(position) : 1;
-    const double own = std::clamp(scale / factor, layout_.scale.low, layout_.scale.high);
-    const Dart dart = layout_.dart(component_, position, turn, own);
+    const double without_field = std::clamp(scale / factor, layout_.scale.low, layout_.scale.high);
+    const Dart dart = layout_.dart(component_, position, turn, without_field);
     if (!is_free(dart, offset))
         return Trial::taken;
     placed_.push_back(dart);
@@ -109,8 +109,8 @@ bool SaturationSearch::throw_into(std::size_t first_fragment, const Cell& cell) 
     return try_at(point, angle, scale) == Trial::placed;
 }
 
-/// No motion in the cell exceeds the clearance: what is left of it is free at its middle. Returns
-/// whether nothing is left, as is always so after the last attempt.
+/// For a cell in which no motion exceeds the clearance, so that what is left of it is free at its
+/// middle. Returns whether nothing is left; after the last attempt that is always so.
 bool SaturationSearch::finish(Cell& cell, std::size_t first_fragment, bool is_last) {
     while (fragments_.size() > first_fragment) {
         const Fragment fragment = fragments_.back();

@@ -19,11 +19,11 @@ SaturationSearch::SaturationSearch(const SearchProblem& problem, const Placement
 void SaturationSearch::add_neighbour(const Dart& dart, const Vec2& offset) {
     neighbours_.push_back({dart, offset});
     const SearchShape& shape = problem_.shapes[dart.component];
-    const Pose& pose = dart.pose;
+    const FigurePose& pose = dart.pose;
     const std::size_t first = fine_.fixed.size();
-    for (const ConvexPiece& piece : shape.pieces)
+    for (const NoFitPiece& piece : shape.pieces)
         fine_.fixed.add(piece, pose.cosine, pose.sine, pose.scale, offset);
-    for (const ConvexPiece& piece : shape.coarse)
+    for (const NoFitPiece& piece : shape.coarse)
         coarse_.fixed.add(piece, pose.cosine, pose.sine, pose.scale, offset);
     pieces_of_.emplace_back(first, fine_.fixed.size());
 }
@@ -57,7 +57,7 @@ void SaturationSearch::gather(const Box2& box, double reach) {
     for (const Dart& dart : placed_)
         add_neighbours(dart);
     const std::size_t first = fine_.fixed.size();
-    for (const ConvexPiece& piece : problem_.outside) {
+    for (const NoFitPiece& piece : problem_.outside) {
         if (!piece.is_near(centre_, reach_))
             continue;
         fine_.fixed.add(piece, 1, 0, 1, -centre_);
@@ -83,7 +83,7 @@ void SaturationSearch::saturate(const Box2& box, std::uint32_t component) {
                               ? 0
                               : layout_.margins[component] * scales.high * layout_.scale.high *
                                     layout_.density_over(box).high;
-    // Darts may be larger than what the search is about.
+    // Darts may be larger than the elements that the search looks for.
     gather(box, layout_.shapes[component].radius() * scales.high * layout_.scale.high + margin +
                     problem_.epsilon);
     const Range direction = layout_.direction_over(box);
@@ -103,7 +103,7 @@ void SaturationSearch::saturate(const Box2& box, std::uint32_t component) {
     const Vec2 half = box.size() / 2.0;
     const Fragment whole = box_fragment({Vec2f(-half), Vec2f(half)});
     if (layout_.domain.inside() == Inside::centre) {
-        for (const ConvexPiece& piece : problem_.inside) {
+        for (const NoFitPiece& piece : problem_.inside) {
             if (!piece.is_near(centre_, half.length()))
                 continue;
             Fragment part = whole;
@@ -140,8 +140,8 @@ void SaturationSearch::examine(Cell cell, std::size_t parent_pair, std::size_t p
             while (is_open && wide.turn < problem_.dart_extent && throw_into(first_fragment, cell))
                 is_open = !cover_new(cell, first_fragment);
             if (is_open) {
-                // Where the middle is certainly free, or nearly so; a cell that is still open when
-                // it is much smaller cannot be decided.
+                // The middle of a small cell is certainly free, up to rounding. A cell that is
+                // still open when it is much smaller than that cannot be decided.
                 const double motion = wide.turn + wide.scale + wide.fields;
                 const bool is_last =
                     motion <= problem_.smallest_extent / 64 || cell.depth > deepest;
@@ -163,8 +163,8 @@ bool SaturationSearch::is_allowed(Cell& cell) const {
     const Box2 box = world(cell.box);
     if (fields.classes) {
         const Range classes = fields.classes->over(box);
-        const auto own = static_cast<double>(layout_.classes[component_]);
-        if (classes.low > own + 0.5 || classes.high < own - 0.5)
+        const auto wanted = static_cast<double>(layout_.classes[component_]);
+        if (classes.low > wanted + 0.5 || classes.high < wanted - 0.5)
             return false;
     }
     if (fields.direction && !is_turned_freely_) {
@@ -189,24 +189,25 @@ void SaturationSearch::turn_pieces(const Cell& cell) {
     fine_.moving.clear();
     coarse_.moving.clear();
     const double cosine = std::cos(cell.angle), sine = std::sin(cell.angle);
-    for (const ConvexPiece& piece : problem_.shapes[component_].pieces)
+    for (const NoFitPiece& piece : problem_.shapes[component_].pieces)
         fine_.moving.add(piece, cosine, sine, 1, {0, 0});
-    for (const ConvexPiece& piece : problem_.shapes[component_].coarse)
+    for (const NoFitPiece& piece : problem_.shapes[component_].coarse)
         coarse_.moving.add(piece, cosine, sine, 1, {0, 0});
 }
 
-/// Lists the pairs that may matter in the cell: of its parent's, and of what was placed since.
+/// Lists the pairs that may matter in the cell: those of its parent's pairs that still do, and
+/// those of the elements placed since.
 void SaturationSearch::take_pairs(const Cell& cell, std::size_t parent_pair,
                                   std::size_t parent_neighbours) {
     const auto high = static_cast<float>(cell.high), low = static_cast<float>(cell.low);
     const auto half_angle = static_cast<float>(std::min(cell.half_angle, pi));
-    const auto own = static_cast<float>(problem_.epsilon + problem_.largest_margin);
+    const auto kept_free = static_cast<float>(problem_.epsilon + problem_.largest_margin);
     const auto may_matter = [&](const Pair& pair) {
         const PiecePool::Piece& a = fine_.moving[pair.moving];
         const PiecePool::Piece& b = fine_.fixed[pair.fixed];
         const Vec2f target = b.centre - a.centre * ((low + high) / 2);
         const float slack = a.centre.length() * (high * half_angle + (high - low) / 2);
-        const float reach = a.radius * high + b.radius + slack + own + pair.margin;
+        const float reach = a.radius * high + b.radius + slack + kept_free + pair.margin;
         const float dx = std::max({cell.box.min.x - target.x, target.x - cell.box.max.x, 0.0F});
         const float dy = std::max({cell.box.min.y - target.y, target.y - cell.box.max.y, 0.0F});
         return dx * dx + dy * dy < reach * reach;
@@ -223,8 +224,8 @@ void SaturationSearch::take_pairs(const Cell& cell, std::size_t parent_pair,
     }
 }
 
-/// Takes the no-fit polygons of the pairs from `first_pair` on from the cell's fragments; whether
-/// nothing is left.
+/// Subtracts the no-fit polygons of the pairs from `first_pair` on from the cell's fragments.
+/// Returns whether nothing is left.
 bool SaturationSearch::is_covered(Cell& cell, std::size_t first_fragment, std::size_t first_pair,
                                   std::size_t parent_pair) {
     if (cell.half_angle > widest_half_angle)
@@ -236,7 +237,7 @@ bool SaturationSearch::is_covered(Cell& cell, std::size_t first_fragment, std::s
     if (!layout_.margins.empty())
         margin = layout_.margins[component_] * cell.low * layout_.density_over(world(cell.box)).low;
     const double bare = problem_.epsilon - problem_.safety;
-    // Coarse pieces are within fine ones: what they are apart from, those may still reach.
+    // Coarse pieces lie within fine ones, which may reach what the coarse ones are apart from.
     const Extent wide = extent(cell);
     const bool is_coarse = wide.turn + wide.scale > problem_.coarse_extent;
     const Pools& pools = is_coarse ? coarse_ : fine_;
@@ -273,7 +274,7 @@ bool SaturationSearch::is_covered(Cell& cell, std::size_t first_fragment, std::s
             continue;
         fragments_.insert(fragments_.end(), rest_.begin(), rest_.end());
         if (fragments_.size() == first_fragment) {
-            // What covers this cell may well cover its siblings.
+            // The pair that covers this cell may well cover its siblings: they try it first.
             for (std::size_t i = parent_pair; i < cell.first_pair; ++i) {
                 if (pairs_[i].moving == pair.moving && pairs_[i].fixed == pair.fixed) {
                     std::swap(pairs_[i], pairs_[parent_pair]);
@@ -292,7 +293,7 @@ bool SaturationSearch::is_covered(Cell& cell, std::size_t first_fragment, std::s
     return false;
 }
 
-/// Takes away what the elements placed since the pairs were listed cover.
+/// Subtracts what the elements cover that were placed after the pairs were listed.
 bool SaturationSearch::cover_new(Cell& cell, std::size_t first_fragment) {
     const std::size_t from = pairs_.size();
     for (std::size_t n = cell.neighbours; n < neighbours_.size(); ++n)
@@ -332,8 +333,8 @@ Box2 SaturationSearch::world(const Imath::Box2f& box) const {
 void SaturationSearch::split(const Cell& cell, std::size_t first_fragment, const Extent& wide) {
     const std::size_t end = fragments_.size();
     const bool first_half = (random_.bits() & 1U) != 0;
-    // A place is known exactly: only its neighbours become fewer as it shrinks, so a wide one is
-    // split late; but what depends on fields must be split in place.
+    // No-fit polygons are exact in position, so that splitting an area only makes its neighbours
+    // fewer: wide areas are split late. What fields change from place to place needs the split.
     const double place = std::max(wide.place / problem_.place_share,
                                   wide.fields > 0.5 * problem_.smallest_extent ? wide.fields : 0);
     const bool by_place = place > std::max(wide.turn, wide.scale);

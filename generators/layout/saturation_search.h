@@ -45,13 +45,13 @@ class SaturationSearch {
         std::uint32_t moving, fixed; // pieces
         float margin;                // of the fixed piece's element [m]
     };
-    /// The area is that of the topmost fragments.
+    /// Its area is that of the `fragments` topmost fragments of the stack.
     struct Cell {
         double angle = 0, half_angle = 0; // [rad]
         double low = 1, high = 1;         // scale
         std::size_t fragments = 0;
         std::size_t first_pair = 0;
-        std::size_t neighbours = 0; // known when the pairs were listed
+        std::size_t neighbours = 0; // how many there were when the pairs were listed
         int depth = 0;
         Imath::Box2f box{}; // around the fragments
     };
@@ -95,7 +95,7 @@ class SaturationSearch {
     std::vector<Dart> placed_;
     SearchCounts counts_;
 
-    // Of the box at hand.
+    // Of the box that is being searched.
     std::uint32_t component_ = 0;
     bool is_turned_freely_ = true;
     Vec2 centre_;

@@ -42,13 +42,13 @@ bool smaller_is_easier(const LayoutProblem& problem, const Region& region) {
 }
 
 /// The plane around the domain, as far as elements reach.
-std::vector<ConvexPiece> outside_of(const LayoutProblem& problem, double reach, double corner) {
+std::vector<NoFitPiece> outside_of(const LayoutProblem& problem, double reach, double corner) {
     Box2 box = problem.domain.box();
     box.min -= Vec2(reach);
     box.max += Vec2(reach);
     std::vector<Ring> rings = problem.domain.region().rings;
     rings.push_back({box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}});
-    std::vector<ConvexPiece> pieces;
+    std::vector<NoFitPiece> pieces;
     for (const Ring& ring : convex_partition(triangulate(rings)))
         if (ring.size() >= 3)
             pieces.emplace_back(ring, corner);
@@ -111,8 +111,8 @@ SearchProblem::SearchProblem(const LayoutProblem& problem, double wanted)
         for (const Ring& ring : convex_partition(problem.domain.region()))
             if (ring.size() >= 3)
                 inside.emplace_back(ring, pi);
-    // What the no-fit polygons are wider than the elements, less what the placed ones keep and what
-    // the pieces were simplified by.
+    // How much wider the no-fit polygons are than the elements, less the clearance that placed
+    // elements keep and the error of the simplified pieces.
     const double net = blunt * (epsilon - safety + margins) - margins - clearance - epsilon / 8;
     smallest_extent = 0.8 * net;
     coarse_extent = 0.15 * problem.smallest_inner_radius();

@@ -14,10 +14,11 @@ namespace {
 // Enough that no two neighbours look alike: each is also turned and scaled.
 constexpr std::uint32_t outlines = 24;
 
-// Sizes per octave: between two of them a gap that is a little too small for one is filled by the
-// next. Darts that must fail in a row before the next smaller size: the naive method's 10,000 would
-// only add cells where the groove network closes the gap anyway.
+// Steps of size per octave: a gap that is a little too small for one step is filled by the next.
 constexpr double steps_per_octave = 4;
+
+// Darts that must fail in a row before the next smaller size: the naive method's 10,000 would only
+// add cells where the groove network closes the gap anyway.
 constexpr std::uint64_t cancellations = 1500;
 
 Ring cut_corners(const Ring& ring) {
@@ -93,7 +94,8 @@ CellLayout place_cells(double size, const std::vector<CellKind>& kinds, std::uin
                 dart.component = static_cast<std::uint32_t>(k * outlines) + random.below(outlines);
                 const double angle = kind.direction + kind.direction_spread * random.uniform(-1, 1);
                 const double scale = random.uniform(low, high);
-                dart.pose = Pose({random.uniform(0, size), random.uniform(0, size)}, angle, scale);
+                dart.pose =
+                    FigurePose({random.uniform(0, size), random.uniform(0, size)}, angle, scale);
                 in_a_row = placements.try_place(dart) ? 0 : in_a_row + 1;
                 if (trial % 1024 == 0)
                     context.check_cancel();

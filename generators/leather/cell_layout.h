@@ -10,7 +10,7 @@ namespace scree {
 /// One cell of the leather: which outline, and where.
 struct Cell {
     std::uint32_t shape = 0;
-    Pose pose;
+    FigurePose pose;
 };
 
 /// Cells on a square torus [0, size) x [0, size), which do not overlap, not even across its border.

@@ -10,7 +10,8 @@ namespace scree {
 
 namespace {
 
-// Vertices of one place whose normals differ by more lie on a crease, whose edges stay straight.
+// Vertices of one place whose normals differ by a larger angle lie on a crease, whose edges stay
+// straight.
 constexpr float smooth_cosine = 0.82F; // 35 degrees
 
 /// A vertex's normal for moving it: that of all vertices at its place together.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two shapes that are made anew as grids: the flat swatch and the sphere.
+// The two shapes that are generated as grids: the flat swatch and the sphere.
 #include "generators/leather/displaced_surface.h"
 
 #include "core/parallel.h"
@@ -20,8 +20,8 @@ struct SurfacePoint {
     float strength = 1;
 };
 
-/// Displaces a grid of (n + 1) x (n + 1) points, row 0 at the top; normals from its own
-/// differences.
+/// Displaces a grid of (n + 1) x (n + 1) points, row 0 at the top; normals from the
+/// differences of its points.
 template <class Surface>
 Mesh displaced_grid(const HeightField& field, std::size_t n, const Surface& surface) {
     const std::size_t side = n + 1;
@@ -56,8 +56,8 @@ Mesh displaced_grid(const HeightField& field, std::size_t n, const Surface& surf
         for (std::size_t i = 0; i < n; ++i) {
             const auto a = static_cast<std::uint32_t>(j * side + i);
             const auto b = static_cast<std::uint32_t>(a + side); // below a
-            // Diagonals point to the middle: there the sphere's grid has corners, which it would
-            // flatten on the others.
+            // Diagonals point to the middle of the grid: where the sphere's grid has corners, the
+            // other diagonal would cut them off.
             const bool falls = (i < n / 2) == (j < n / 2);
             mesh.triangles[2 * (j * n + i)] = {a, b, falls ? b + 1 : a + 1};
             mesh.triangles[2 * (j * n + i) + 1] = {falls ? a : b, b + 1, a + 1};

@@ -13,9 +13,9 @@ struct FineDetail {
     std::uint64_t seed = 0;
 };
 
-/// Adds to the heights what is finer than cells, and the waves that are longer: wrinkles, the grain
-/// of the surface, hair pores, which prefer the junctions of grooves, and undulation. Periodic like
-/// the network. Returns the number of pores. Same bytes on any number of threads.
+/// Adds to the heights the detail that is finer than cells and the waves that are longer: wrinkles,
+/// the grain of the surface, hair pores, which prefer the junctions of grooves, and undulation.
+/// Periodic like the network. Returns the number of pores. Same bytes on any number of threads.
 std::size_t add_fine_detail(const FineDetail& detail, const GrooveNetwork& network,
                             std::vector<float>& heights, const Context& context);
 

@@ -17,7 +17,8 @@ constexpr int block = 16; // pixels along the edge of those that share candidate
 using Float4 = float __attribute__((vector_size(16)));
 using Mask4 = std::int32_t __attribute__((vector_size(16)));
 
-/// Four edges of a cell's outline in its own frame, from `a` to `b`; those that fill up are points.
+/// Four edges of a cell's outline in the outline's frame, from `a` to `b`; the last four are filled
+/// up with edges of no length.
 struct Edges {
     Float4 ax, ay, by;
     Float4 x, y;    // b - a
@@ -92,7 +93,7 @@ class CellIndex {
         for (int ring = 1;; ring = std::min(2 * ring, count_)) {
             gather(point, ring, found);
             third = third_nearest(point, found);
-            // No cell beyond the ring has its region nearer than this.
+            // The regions of cells beyond the ring are farther than this.
             const double certain = ring * layout_.size / count_ - largest_;
             if (2 * ring + 1 >= count_ || certain > third + 2 * reach)
                 break;
@@ -131,7 +132,8 @@ class CellIndex {
                     found.push_back({c, point + offset, radius(cell)});
                 }
     }
-    /// No farther than this is the third nearest region, whose box centre may lie outside it.
+    /// An upper bound of the distance to the third nearest region: no region lies outside its
+    /// circle.
     static double third_nearest(const Vec2& point, const std::vector<Candidate>& found) {
         std::array<double, 3> best;
         best.fill(std::numeric_limits<double>::infinity());

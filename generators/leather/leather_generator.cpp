@@ -13,7 +13,7 @@ namespace scree {
 
 namespace {
 
-// Fewer cells than these across a tile would show that it repeats, and a cell could meet itself.
+// With fewer cells across a tile one would see that it repeats, and a cell could meet itself.
 constexpr double least_cells = 5;
 constexpr double most_cells = 1000;
 
@@ -55,53 +55,76 @@ ReliefRequest request_from(const Params& params) {
     return request;
 }
 
-Mesh shape_of(const Params& params, const HeightField& field) {
-    const auto triangles = static_cast<std::size_t>(params.integer("triangles"));
-    if (!params.has("shape"))
-        return displaced_swatch(field, params.number("thickness"), triangles);
-    const Mesh& mesh = *params.object<Mesh>("shape");
+/// What the leather covers, and where that goes.
+struct CoverSettings {
+    std::shared_ptr<const Mesh> shape; // null: one flat tile
+    Vec3 facing;                       // of a sphere
+    double thickness = 0;              // of a flat tile [m]
+    std::size_t triangles = 0;
+    std::shared_ptr<const Material> material;
+    Vec3 position;
+    Vec3 rotation; // about x, then y, then z [rad]
+
+    ParamPlace shape_place;
+    ParamPlace facing_place;
+};
+
+CoverSettings cover_from(const Params& params) {
+    return {.shape = params.object<Mesh>("shape"),
+            .facing = params.vector3("facing"),
+            .thickness = params.number("thickness"),
+            .triangles = static_cast<std::size_t>(params.integer("triangles")),
+            .material = params.object<Material>("material"),
+            .position = params.vector3("position"),
+            .rotation = params.vector3("rotation"),
+            .shape_place = params.place("shape"),
+            .facing_place = params.place("facing")};
+}
+
+Mesh covered_shape(const CoverSettings& cover, const HeightField& field) {
+    if (cover.shape == nullptr)
+        return displaced_swatch(field, cover.thickness, cover.triangles);
+    const Mesh& mesh = *cover.shape;
     Vec3 centre;
     double radius = 0;
     Mesh result;
     if (is_sphere(mesh, centre, radius)) {
-        const Vec3& facing = params.vector3("facing");
-        if (!(facing.length() > 0))
-            throw params.error("facing", "is no direction");
-        result = displaced_sphere(field, centre, radius, facing, triangles);
+        if (!(cover.facing.length() > 0))
+            throw cover.facing_place.error("is no direction");
+        result = displaced_sphere(field, centre, radius, cover.facing, cover.triangles);
     } else {
         if (mesh.uvs.empty())
-            throw params.error("shape", mesh.name + " has no UVs to lay the leather on");
-        result = displaced_mesh(field, mesh, triangles);
+            throw cover.shape_place.error(mesh.name + " has no UVs to lay the leather on");
+        result = displaced_mesh(field, mesh, cover.triangles);
     }
     result.name = mesh.name;
     return result;
 }
 
-Matrix place_of(const Params& params) {
-    const Vec3& turn = params.vector3("rotation");
+Matrix world_from_shape(const CoverSettings& cover) {
     Matrix about_x, about_y, about_z, move;
-    about_x.setAxisAngle(Vec3(1, 0, 0), turn.x);
-    about_y.setAxisAngle(Vec3(0, 1, 0), turn.y);
-    about_z.setAxisAngle(Vec3(0, 0, 1), turn.z);
-    move.setTranslation(params.vector3("position"));
+    about_x.setAxisAngle(Vec3(1, 0, 0), cover.rotation.x);
+    about_y.setAxisAngle(Vec3(0, 1, 0), cover.rotation.y);
+    about_z.setAxisAngle(Vec3(0, 0, 1), cover.rotation.z);
+    move.setTranslation(cover.position);
     return about_x * about_y * about_z * move;
 }
 
 Aggregate bake_leather(const Params& params, const Context& context) {
     const auto start = std::chrono::steady_clock::now();
     const ReliefRequest request = request_from(params);
+    const CoverSettings cover = cover_from(params);
     ReliefFacts facts;
     const auto field =
         std::make_shared<const HeightField>(leather_relief(request, context, &facts));
-    const auto mesh = std::make_shared<const Mesh>(shape_of(params, *field));
+    const auto mesh = std::make_shared<const Mesh>(covered_shape(cover, *field));
 
     Aggregate aggregate;
     aggregate.generator = "leather";
     aggregate.seed = request.seed;
-    aggregate.prototypes.push_back(
-        {mesh->name, mesh, nullptr, params.object<Material>("material")});
+    aggregate.prototypes.push_back({mesh->name, mesh, nullptr, cover.material});
     Instance instance;
-    instance.world_from_object = place_of(params);
+    instance.world_from_object = world_from_shape(cover);
     instance.random = Random(request.seed, Purpose::instance_attribute).uniform_float();
     aggregate.instances.push_back(instance);
     aggregate.height = field;

@@ -61,9 +61,9 @@ std::vector<float> membrane(const GrooveNetwork& network, double shoulder, const
         u[i] = -std::expm1(-network.distance[i] / static_cast<float>(shoulder));
         reach = std::max(reach, network.distance[i]);
     }
-    // The best over-relaxation for the slowest error, which fades over the shoulder and is nought
-    // on the widest cell's grooves (Young 1954); this many sweeps leave less than a thousandth of
-    // it.
+    // The best over-relaxation for the error that decays slowest, which fades over the shoulder and
+    // is 0 on the grooves of the widest cell (Young 1954). This many sweeps reduce it below a
+    // thousandth.
     const double radius = std::max(1.0, double(reach) / network.pixel);
     const double rate = std::sqrt(0.5 / (pixels * pixels) + pi * pi / 4 / (radius * radius));
     const auto relaxation = static_cast<float>(2 / (1 + rate));

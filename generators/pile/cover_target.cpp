@@ -10,11 +10,11 @@ namespace scree {
 
 namespace {
 
-// Of a level, in radii: less than a component's thickness, so that each layer fills before the
-// next lies on it.
+// In radii: less than the thickness of a component, so that each layer is filled before the next
+// one lies on it.
 constexpr double level_height = 1;
-constexpr int most_passes = 2;      // over the gaps of a level
-constexpr double least_gain = 0.02; // of the gaps tried that a pass closes, or it was the last
+constexpr int most_passes = 2;      // over the gaps of each level
+constexpr double least_gain = 0.02; // share of the tried gaps that a pass fills, or it is the last
 constexpr std::size_t measuring_rays = 8192;
 constexpr std::size_t rays_per_site = 3;
 
@@ -22,38 +22,26 @@ double hidden_share(std::size_t open, std::size_t all) {
     return all > 0 ? 1 - double(open) / double(all) : 1;
 }
 
-/// Kinds at random by weight.
-std::uint32_t pick_kind(std::span<const PileKind> kinds, Random random) {
-    double sum = 0;
-    for (const PileKind& kind : kinds)
-        sum += kind.weight;
-    double at = random.uniform(0, sum);
-    std::uint32_t k = 0;
-    while (k + 1 < kinds.size() && (at -= kinds[k].weight) >= 0)
-        ++k;
-    return k;
-}
-
-/// The rays along which the target's surface still shows.
+/// The rays along which the target's surface can still be seen.
 class Gaps {
   public:
     Gaps(const Mesh& target, const PileTurns& turns, std::size_t count, double cover)
         : turns_(turns), rays_(outside_rays(target, count, turns.seed, 0)), all_(rays_.size()),
           cover_(cover) {}
 
-    /// Looks again. Whether too many are left.
-    bool remain(const Pile& pile) {
+    /// Drops the rays that the pile hides by now; returns whether too many are left.
+    bool remain(const PlacedBodies& pile) {
         rays_ = open_rays(pile, rays_);
         return hidden_share(rays_.size(), all_) < cover_;
     }
 
-    /// A site at the origin of each, turned as nowhere before.
-    std::vector<PileSite> sites() {
-        std::vector<PileSite> out;
+    /// A new site at the origin of each ray, with a rotation of its own.
+    std::vector<BodySite> sites() {
+        std::vector<BodySite> out;
         for (const OutsideRay& ray : rays_) {
             const std::uint64_t number = std::uint64_t{1} << 63 | made_++;
             const std::uint32_t kind =
-                pick_kind(turns_.kinds, Random(turns_.seed, Purpose::pile_order, number));
+                kind_at(turns_.kinds, Random(turns_.seed, Purpose::pile_order, number).uniform());
             out.push_back(turns_.site(ray.origin, ray.normal, kind, number));
         }
         return out;
@@ -70,22 +58,23 @@ class Gaps {
 double levels_of(std::span<const PileKind> kinds, double sink) {
     double levels = 1;
     for (const PileKind& kind : kinds)
-        levels = std::max(levels,
-                          std::ceil((kind.range() / kind.component.radius + sink) / level_height));
+        levels =
+            std::max(levels, std::ceil((kind.range() / kind.body->radius + sink) / level_height));
     return levels;
 }
 
 } // namespace
 
-std::size_t pile_up(Pile& pile, const Mesh& target, const PileTurns& turns,
-                    std::vector<PileSite> sites, const InsertionSettings& settings, double cover,
+std::size_t pile_up(PlacedBodies& pile, const Mesh& target, const PileTurns& turns,
+                    std::vector<BodySite> sites, const InsertionSettings& settings, double cover,
                     const Context& context) {
+    const std::vector<double> ranges = ranges_of(turns.kinds);
     std::size_t tried = sites.size();
     std::optional<Gaps> gaps;
     if (cover > 0)
         gaps.emplace(target, turns, std::max(measuring_rays, rays_per_site * sites.size()), cover);
     std::vector<InsertionCandidate> waiting =
-        candidates_at(std::move(sites), turns.kinds, settings);
+        candidates_at(std::move(sites), pile.shapes, ranges, settings);
     const double levels = levels_of(turns.kinds, settings.sink);
     for (double n = 1; n <= levels; ++n) {
         context.report("pile", (n - 1) / levels);
@@ -95,7 +84,7 @@ std::size_t pile_up(Pile& pile, const Mesh& target, const PileTurns& turns,
             if (!gaps->remain(pile))
                 return tried;
             std::vector<InsertionCandidate> fresh =
-                candidates_at(gaps->sites(), turns.kinds, settings);
+                candidates_at(gaps->sites(), pile.shapes, ranges, settings);
             const std::size_t before = pile.all.size();
             const std::size_t count = fresh.size();
             insert_up_to(level, pile, fresh, settings, context);
@@ -107,7 +96,7 @@ std::size_t pile_up(Pile& pile, const Mesh& target, const PileTurns& turns,
     return tried;
 }
 
-double measured_cover(const Pile& pile, const Mesh& target, std::uint64_t seed) {
+double measured_cover(const PlacedBodies& pile, const Mesh& target, std::uint64_t seed) {
     const std::vector<OutsideRay> rays = outside_rays(target, measuring_rays, seed, 1);
     return hidden_share(open_rays(pile, rays).size(), rays.size());
 }

@@ -13,10 +13,10 @@ namespace scree {
 
 namespace {
 
-// In distances between sites. Nearer shells fill little more: rice in a ball to 0.30 at a quarter,
-// 0.29 at a half, 0.27 at one; with the inner shells in the reverse order, to 0.23.
+// In distances between sites. Rice in a ball fills 0.27 of it with shells one such distance apart,
+// 0.29 with a half and 0.30 with a quarter of it; from the outermost shell inwards only 0.23.
 constexpr double shells_apart = 0.5;
-constexpr double samples_apart = 0.5; // in shells' distances
+constexpr double samples_apart = 0.5; // of the target's distance, in distances between shells
 constexpr std::size_t measuring_points = 32768;
 
 } // namespace
@@ -28,16 +28,21 @@ double shell_spacing(std::span<const PileKind> kinds) {
     return shells_apart * least;
 }
 
-std::size_t fill_solid(Pile& pile, const Mesh& target, const PileTurns& turns,
-                       std::vector<PileSite> sites, const SolidFill& fill,
+PileTurns turns_of_shell(const PileTurns& turns, std::size_t shell) {
+    PileTurns own = turns;
+    own.seed = derived_seed(turns.seed, Purpose::pile_shell, shell);
+    return own;
+}
+
+std::size_t fill_solid(PlacedBodies& pile, const Mesh& target, const PileTurns& turns,
+                       std::vector<BodySite> sites, const SolidFill& fill,
                        const InsertionSettings& settings, const Context& context) {
     const double spacing = shell_spacing(turns.kinds);
     const SignedDistanceGrid solid(target, samples_apart * spacing);
     const std::vector<OffsetShell> shells = offset_shells(solid, spacing, fill.shells - 1);
     std::size_t tried = 0;
     for (std::size_t i = shells.size(); i-- > 0;) {
-        PileTurns own = turns;
-        own.seed = turns.seed + (i + 1) * 0x9e3779b97f4a7c15ULL;
+        const PileTurns own = turns_of_shell(turns, i);
         InsertionSettings below = settings;
         below.ceiling = shells[i].depth;
         const Mesh& surface = shells[i].surface;
@@ -46,13 +51,13 @@ std::size_t fill_solid(Pile& pile, const Mesh& target, const PileTurns& turns,
     return tried + pile_up(pile, target, turns, std::move(sites), settings, fill.cover, context);
 }
 
-double filled_share(const Pile& pile, const Mesh& target, std::uint64_t seed) {
+double filled_share(const PlacedBodies& pile, const Mesh& target, std::uint64_t seed) {
     const Box3 box = bounds(target);
     const SignedDistanceGrid solid(target, double(box.size().length()) / 200);
-    std::vector<std::array<std::uint8_t, 2>> hits(
-        measuring_points); // in the target, in a component
+    // For each point whether it is in the target, and in a component.
+    std::vector<std::array<std::uint8_t, 2>> hits(measuring_points);
     parallel_for(measuring_points, 64, [&](std::size_t i) {
-        Random random(seed, Purpose::pile_inside, i);
+        Random random(seed, Purpose::pile_fill, i);
         Vec3 p = box.min;
         for (int axis = 0; axis < 3; ++axis)
             p[axis] += box.size()[axis] * random.uniform_float();
@@ -60,10 +65,10 @@ double filled_share(const Pile& pile, const Mesh& target, std::uint64_t seed) {
             return;
         hits[i][0] = 1;
         pile.hash.near(Imath::V3d(p), 0, [&](std::uint32_t index) {
-            const Placed& placed = pile.all[index];
-            const Vec3 own = Vec3(Imath::V3d(p) - placed.pose.centre) *
-                             placed.pose.world_from_component.transposed();
-            if (hits[i][1] == 0 && pile.component(placed).distance.at(own) < 0)
+            const PlacedBody& placed = pile.all[index];
+            const Vec3 own =
+                Vec3(Imath::V3d(p) - placed.pose.centre) * placed.pose.world_from_body.transposed();
+            if (hits[i][1] == 0 && pile.body(placed).distance.at(own) < 0)
                 hits[i][1] = 1;
         });
     });

@@ -1,30 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "generators/pile/pile_sites.h"
 #include "geometry/bodies/insertion.h"
 
 #include <limits>
 
 namespace scree {
 
-/// What of a solid is filled.
+/// How a solid is filled.
 struct SolidFill {
-    std::size_t shells = std::numeric_limits<std::size_t>::max(); // the surface is the first
-    double cover = 0;                                             // of the surface, as `pile_up`
+    // How many shells, counted from the surface, which is the first.
+    std::size_t shells = std::numeric_limits<std::size_t>::max();
+    double cover = 0; // of the surface, as in `pile_up`
 };
 
-/// How far apart the shells lie that components are tried on [m].
+/// The distance between the shells on which components are tried [m].
 double shell_spacing(std::span<const PileKind> kinds);
 
-/// Piles up components in the target, which is closed and has the `sites`: on offset shells, each
-/// as on a surface, from the innermost outwards, so that every component comes to lie on those
-/// below it. None of them but those of the surface itself leave it with their centres. Returns how
-/// many were tried.
-std::size_t fill_solid(Pile& pile, const Mesh& target, const PileTurns& turns,
-                       std::vector<PileSite> sites, const SolidFill& fill,
+/// The turns on an inner shell, which have a seed of its own.
+PileTurns turns_of_shell(const PileTurns& turns, std::size_t shell);
+
+/// Fills the closed target, on whose surface the `sites` are, with components: on offset shells,
+/// each treated as a surface, from the innermost outwards, so that components come to lie on those
+/// of the shells below. The centres of all components stay inside of the target, except for those
+/// tried on its surface. Returns the number of components tried.
+std::size_t fill_solid(PlacedBodies& pile, const Mesh& target, const PileTurns& turns,
+                       std::vector<BodySite> sites, const SolidFill& fill,
                        const InsertionSettings& settings, const Context& context);
 
-/// The share of the target's volume that is inside of components, from 32768 points.
-double filled_share(const Pile& pile, const Mesh& target, std::uint64_t seed);
+/// The share of the target's volume that is inside of components, estimated with 32768 points.
+double filled_share(const PlacedBodies& pile, const Mesh& target, std::uint64_t seed);
 
 } // namespace scree

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/params.h"
 #include "geometry/plane/field.h"
 
 namespace scree {
 
-/// A direction at every point of space, along which components are laid on a surface.
+/// A direction at every point of space, which components on a surface follow. All in the target's
+/// frame.
 class OrientationFlow {
   public:
     /// The same direction everywhere.
     static OrientationFlow constant(const Vec3& direction);
-    /// Round an axis, right-handed.
+    /// Round an axis through `centre` [m], right-handed.
     static OrientationFlow swirl(const Vec3& axis, const Vec3& centre);
     /// Level, at the angle [deg] from +x towards +z that the field has at (x, z).
     static OrientationFlow heading(std::shared_ptr<const Field> angle);
@@ -19,8 +19,8 @@ class OrientationFlow {
     /// The flow turned about the surface's normal by the field's angle [deg] at (x, z).
     void set_turn(std::shared_ptr<const Field> turn) { turn_ = std::move(turn); }
 
-    /// Its unit tangent on a surface with this unit normal; where the flow is at right angles to
-    /// the surface or ceases, that along the level line, or, where there is none, along x.
+    /// The unit tangent along the flow at a point of a surface with this unit normal. Where the
+    /// flow is zero or at right angles to the surface, the tangent along the level line.
     Vec3 tangent(const Imath::V3d& position, const Vec3& normal) const;
 
   private:
@@ -36,11 +36,7 @@ class OrientationFlow {
     std::shared_ptr<const Field> turn_;
 };
 
-/// Along the surface's level line, or, where it is level all over, along x.
+/// The horizontal unit tangent of a surface with this unit normal; x where the surface is level.
 Vec3 level_line(const Vec3& normal);
-
-/// The fields of a flow's record, and what they make. Throws Error unless it is one kind of flow.
-std::vector<ParamSpec> flow_specs();
-OrientationFlow orientation_flow(const Params& params);
 
 } // namespace scree

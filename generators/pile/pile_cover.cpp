@@ -17,13 +17,13 @@ namespace {
 using Vec3d = Imath::V3d;
 
 Vec3 cosine_direction(const Vec3& normal, Random& random) {
-    // A point of the unit sphere round the normal's tip.
+    // A point of the unit sphere about the tip of the normal.
     const double u = random.uniform();
     const Vec3 d = normal + Vec3(warp::sphere(Vec2(u, random.uniform())));
     return d.length() > 1e-3F ? d.normalized() : normal;
 }
 
-/// Points of a mesh by area.
+/// Draws random points of a mesh, even by area.
 class AreaSampler {
   public:
     explicit AreaSampler(const Mesh& mesh) : mesh_(&mesh) {
@@ -55,7 +55,7 @@ class AreaSampler {
     std::vector<double> sums_;
 };
 
-// Where the ray is within `radius` of a point, from 0 on.
+// The distances along the ray, from 0 on, at which it is within `radius` of the point.
 Range within(const OutsideRay& ray, const Vec3d& point, double radius) {
     const Vec3d to = point - ray.origin;
     const double along = to.dot(Vec3d(ray.direction));
@@ -66,16 +66,15 @@ Range within(const OutsideRay& ray, const Vec3d& point, double radius) {
     return {std::max(0.0, along - half), along + half};
 }
 
-// Followed from free ball to free ball (Hart 1996).
-bool meets(const OutsideRay& ray, const PileComponent& component, const Pose& pose) {
-    const Range range = within(ray, pose.centre, component.reach);
-    const Imath::M33f inverse = pose.world_from_component.transposed();
+// Sphere tracing (Hart 1996): a step as long as the distance to the body meets nothing.
+bool meets(const OutsideRay& ray, const Body& body, const Pose& pose) {
+    const Range range = within(ray, pose.centre, body.reach);
+    const Imath::M33f inverse = pose.world_from_body.transposed();
     const Vec3 origin = Vec3(ray.origin - pose.centre) * inverse;
     const Vec3 direction = ray.direction * inverse;
-    const double least = 0.01 * component.radius;
+    const double least = 0.01 * body.radius;
     for (double t = range.low; t <= range.high;) {
-        const auto distance =
-            double(component.distance.at(origin + direction * static_cast<float>(t)));
+        const auto distance = double(body.distance.at(origin + direction * static_cast<float>(t)));
         if (distance <= 0)
             return true;
         t += std::max(distance, least);
@@ -83,33 +82,26 @@ bool meets(const OutsideRay& ray, const PileComponent& component, const Pose& po
     return false;
 }
 
-double largest_reach(const Pile& pile) {
-    double reach = 0;
-    for (const PileKind& kind : pile.kinds)
-        reach = std::max(reach, kind.component.reach);
-    return reach;
-}
-
-Imath::Box3d bounds_of(const Pile& pile) {
+Imath::Box3d bounds_of(const PlacedBodies& pile) {
     Imath::Box3d box;
-    for (const Placed& placed : pile.all) {
-        const Vec3d reach(pile.component(placed).reach);
+    for (const PlacedBody& placed : pile.all) {
+        const Vec3d reach(pile.body(placed).reach);
         box.extendBy(placed.pose.centre - reach);
         box.extendBy(placed.pose.centre + reach);
     }
     return box;
 }
 
-// Whether a component lies in the ray's way through the box, its origin included.
-bool is_hidden(const Pile& pile, const OutsideRay& ray, const Imath::Box3d& bounds) {
-    const double piece = 4 * largest_reach(pile);
+// Whether the ray, its origin included, meets a component inside of the box.
+bool is_hidden(const PlacedBodies& pile, const OutsideRay& ray, const Imath::Box3d& bounds) {
+    const double piece = 4 * largest_reach(pile.shapes);
     Vec3d at = ray.origin;
     bool hidden = false;
     while (!hidden && bounds.intersects(at)) {
         const Vec3d next = at + Vec3d(ray.direction) * piece;
         pile.hash.near((at + next) * 0.5, piece / 2, [&](std::uint32_t index) {
-            const Placed& placed = pile.all[index];
-            hidden = hidden || meets(ray, pile.component(placed), placed.pose);
+            const PlacedBody& placed = pile.all[index];
+            hidden = hidden || meets(ray, pile.body(placed), placed.pose);
         });
         at = next;
     }
@@ -141,7 +133,7 @@ std::vector<OutsideRay> outside_rays(const Mesh& target, std::size_t count, std:
     return out;
 }
 
-std::vector<OutsideRay> open_rays(const Pile& pile, const std::vector<OutsideRay>& rays) {
+std::vector<OutsideRay> open_rays(const PlacedBodies& pile, const std::vector<OutsideRay>& rays) {
     Imath::Box3d box = bounds_of(pile);
     for (const OutsideRay& ray : rays)
         box.extendBy(ray.origin);

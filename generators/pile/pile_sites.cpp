@@ -24,7 +24,7 @@ Imath::M33f turn_about(int axis, double angle) {
     return m;
 }
 
-// u along the flow or the surface's level line, v along the normal.
+// Rows: u along the flow or the surface's level line, v along the normal, w across.
 Imath::M33f frame_at(const Imath::V3d& position, const Vec3& normal, const PileTurns& turns) {
     if (turns.flow == nullptr && turns.frame == PileFrame::global)
         return {};
@@ -34,7 +34,7 @@ Imath::M33f frame_at(const Imath::V3d& position, const Vec3& normal, const PileT
     return {u.x, u.y, u.z, normal.x, normal.y, normal.z, w.x, w.y, w.z};
 }
 
-// About v first, so that u and w tilt what lies any way round.
+// About v first: the rotations about u and w then tilt the component whichever way it points.
 Imath::M33f random_turn(const Vec3& rotation, Random random) {
     Imath::M33f turn;
     for (const int axis : {1, 0, 2}) {
@@ -53,23 +53,23 @@ double mean_distribution_radius(std::span<const PileKind> shapes) {
 
 } // namespace
 
-PileSite PileTurns::site(const Imath::V3d& position, const Vec3& normal, std::uint32_t kind,
+BodySite PileTurns::site(const Imath::V3d& position, const Vec3& normal, std::uint32_t kind,
                          std::uint64_t number) const {
     if (kinds[kind].shapes > 1)
         kind += Random(seed, Purpose::pile_choice, number).below(kinds[kind].shapes);
     return {.position = position,
             .normal = normal,
-            .world_from_component =
+            .world_from_body =
                 random_turn(kinds[kind].rotation, Random(seed, Purpose::pile_turn, number)) *
                 frame_at(position, normal, *this),
-            .kind = kind};
+            .body = kind};
 }
 
-std::vector<PileSite> pile_sites(const Mesh& target, const PileTurns& turns,
+std::vector<BodySite> pile_sites(const Mesh& target, const PileTurns& turns,
                                  const Context& context) {
     struct Tried {
         double when;
-        PileSite site;
+        BodySite site;
     };
     std::vector<Tried> tried;
     for (std::uint32_t k = 0; k < turns.kinds.size(); ++k) {
@@ -80,7 +80,7 @@ std::vector<PileSite> pile_sites(const Mesh& target, const PileTurns& turns,
         const SurfaceDiskSet set = sample_surface_disks(
             {.mesh = &target,
              .distances = {2 * mean_distribution_radius(turns.kinds.subspan(k, kind.shapes))},
-             .seed = turns.seed ^ k * 0x9e3779b97f4a7c15ULL},
+             .seed = derived_seed(turns.seed, Purpose::pile_sites, k)},
             context);
         std::vector<std::pair<double, std::size_t>> order(set.samples.size());
         for (std::size_t i = 0; i < order.size(); ++i)
@@ -98,7 +98,7 @@ std::vector<PileSite> pile_sites(const Mesh& target, const PileTurns& turns,
     }
     std::stable_sort(tried.begin(), tried.end(),
                      [](const Tried& a, const Tried& b) { return a.when < b.when; });
-    std::vector<PileSite> sites;
+    std::vector<BodySite> sites;
     sites.reserve(tried.size());
     for (const Tried& one : tried)
         sites.push_back(one.site);

@@ -3,7 +3,7 @@
 
 #include "model/material.h"
 
-#include "generators/pile/orientation_flow.h"
+#include "generators/pile/flow_settings.h"
 
 namespace scree {
 
@@ -118,19 +118,18 @@ std::vector<ParamSpec> cut_specs() {
     return {
         {.name = "normal",
          .type = ParamType::vector3,
-         .doc = "Points to what is left out.",
+         .doc = "Points to what is left out, in the target's frame.",
          .fallback = Vec3(0, 0, 1)},
         {.name = "point",
          .type = ParamType::vector3,
-         .doc = "Lies in the plane.",
+         .doc = "Lies in the plane, in the target's frame.",
          .unit = "m",
          .fallback = Vec3(0)},
     };
 }
 
-} // namespace
-
-std::vector<ParamSpec> pile_specs() {
+/// What is piled on what.
+std::vector<ParamSpec> target_specs() {
     return {
         {.name = "target",
          .type = ParamType::object,
@@ -138,12 +137,15 @@ std::vector<ParamSpec> pile_specs() {
          .doc = "The shape whose surface is covered."},
         {.name = "position",
          .type = ParamType::vector3,
-         .doc = "Where the target's origin stands.",
+         .doc = "Where the target's origin stands. The target's frame is moved there with the pile "
+                "and with all that is given in it: floor, cut and flow.",
          .unit = "m",
          .fallback = Vec3(0)},
         {.name = "turn",
          .type = ParamType::number,
-         .doc = "By which the whole pile is turned about the upright axis.",
+         .doc =
+             "By which the target's frame, with the whole pile, is turned about the upright axis "
+             "through the target's origin.",
          .unit = "deg",
          .fallback = 0.0,
          .min = -36000,
@@ -176,10 +178,16 @@ std::vector<ParamSpec> pile_specs() {
          .max = 1e5},
         {.name = "cut",
          .type = ParamType::record,
-         .doc = "What lies beyond a plane is left out of the finished pile, so that one sees "
-                "inside.",
+         .doc = "A plane in the target's frame: what lies beyond it is left out of the finished "
+                "pile, so that one sees inside.",
          .optional = true,
          .fields = cut_specs()},
+    };
+}
+
+/// How far apart, how turned, and how far it moves.
+std::vector<ParamSpec> placing_specs() {
+    return {
         own(spacing("C_radius: how far apart components are tried, in radii of their largest "
                     "inner ball, or, of a sheet, in halves of the radius of a disk of its area; 3 "
                     "unless given, 1 with the thesis's method.")),
@@ -191,12 +199,12 @@ std::vector<ParamSpec> pile_specs() {
         {.name = "frame",
          .type = ParamType::choice,
          .doc = "surface: v is the surface's normal; flow: and u follows a flow; global: u, v and "
-                "w are the world's x, y and z.",
+                "w are the x, y and z axes of the target's frame.",
          .fallback = std::string("surface"),
          .choices = {"surface", "global", "flow"}},
         {.name = "flow",
          .type = ParamType::record,
-         .doc = "What u follows along the surface with frame = \"flow\".",
+         .doc = "What u follows along the surface with frame = \"flow\", in the target's frame.",
          .optional = true,
          .fields = flow_specs()},
         {.name = "overlap",
@@ -244,6 +252,12 @@ std::vector<ParamSpec> pile_specs() {
          .optional = true,
          .min = 0.0,
          .max = 1.0},
+    };
+}
+
+/// Whether it would stay, and what is measured.
+std::vector<ParamSpec> support_specs() {
+    return {
         {.name = "support",
          .type = ParamType::choice,
          .doc =
@@ -258,9 +272,9 @@ std::vector<ParamSpec> pile_specs() {
          .fallback = true},
         {.name = "floor",
          .type = ParamType::number,
-         .doc =
-             "Height of a level floor that holds components up; unless given, there is none, or, "
-             "if nothing sticks to the target, one under the lowest component.",
+         .doc = "Height of a level floor that holds components up, in the target's frame; unless "
+                "given, there is none, or, if nothing sticks to the target, one under the lowest "
+                "component.",
          .unit = "m",
          .optional = true,
          .min = -1e4,
@@ -298,6 +312,15 @@ std::vector<ParamSpec> pile_specs() {
          .fallback = std::int64_t{0},
          .min = 0.0},
     };
+}
+
+} // namespace
+
+std::vector<ParamSpec> pile_specs() {
+    std::vector<ParamSpec> specs = target_specs();
+    for (const std::vector<ParamSpec>& part : {placing_specs(), support_specs()})
+        specs.insert(specs.end(), part.begin(), part.end());
+    return specs;
 }
 
 } // namespace scree

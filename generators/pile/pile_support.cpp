@@ -9,8 +9,8 @@ namespace scree {
 
 namespace {
 
-Pile without(const Pile& pile, const std::vector<char>& gone) {
-    Pile left(pile.kinds);
+PlacedBodies without(const PlacedBodies& pile, const std::vector<char>& gone) {
+    PlacedBodies left(pile.shapes);
     for (std::size_t i = 0; i < pile.all.size(); ++i)
         if (!gone[i])
             left.add(pile.all[i]);
@@ -23,27 +23,24 @@ double number_of(const std::vector<char>& flags) {
 
 } // namespace
 
-void check_support(Pile& pile, const Params& params, Facts& facts) {
-    const std::string& support = params.text("support");
-    if (support == "none" || pile.all.empty())
+void check_support(PlacedBodies& pile, const Mesh& target, const SupportSettings& settings,
+                   Facts& facts) {
+    if (settings.check == SupportCheck::none || pile.all.empty())
         return;
-    const std::shared_ptr<const Mesh> target = params.object<Mesh>("target");
-    ContactSettings settings{.tolerance = params.number("contact")};
-    if (params.flag("adhesive"))
-        settings.adhesive = target.get();
-    if (params.has("floor"))
-        settings.floor = params.number("floor");
-    else if (settings.adhesive == nullptr)
-        settings.floor = lowest_point(pile);
+    ContactSettings contacts{.tolerance = settings.contact, .floor = settings.floor};
+    if (settings.adhesive)
+        contacts.adhesive = &target;
+    else if (!settings.floor)
+        contacts.floor = lowest_point(pile);
 
-    ContactGraph graph = contact_graph(pile, settings);
+    ContactGraph graph = contact_graph(pile, contacts);
     const Support found = support_of(graph);
     facts.insert(facts.end(), {{"floating", number_of(found.floating)},
                                {"unsupported", number_of(found.unsupported)},
                                {"falling", number_of(found.falling)}});
-    if (support == "remove") {
+    if (settings.check == SupportCheck::remove) {
         pile = without(pile, found.falling);
-        graph = contact_graph(pile, settings);
+        graph = contact_graph(pile, contacts);
     }
     facts.insert(facts.end(), {{"contacts_mean", mean_contacts(graph)},
                                {"groups", double(contact_groups(graph))}});

@@ -11,7 +11,7 @@ namespace scree {
 
 namespace {
 
-// Of a maximal set on a plane: samples in the square of their distance.
+// How many samples a maximal set on a plane has in a square as wide as their distance.
 constexpr double samples_per_square = 0.70;
 constexpr double shells_apart = 0.8; // in distances between samples
 
@@ -26,57 +26,43 @@ MeanKind mean_kind(std::span<const PileKind> kinds, std::span<const MassProperti
     MeanKind mean;
     double weights = 0;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
-        const PileComponent& component = kinds[k].component;
-        // A sheet's own volume is next to nothing.
-        const double round = 2 * component.distribution_radius;
+        // A sheet has hardly any volume but needs the room of a ball.
+        const double round = 2 * kinds[k].unit_radius;
         const double volume = std::max(masses[k].mass, 4 * pi / 3 * round * round * round);
         weights += kinds[k].weight;
         mean.volume += kinds[k].weight * volume;
         mean.range += kinds[k].weight * kinds[k].range();
-        mean.radius += kinds[k].weight * std::max(component.radius, round);
+        mean.radius += kinds[k].weight * std::max(kinds[k].body->radius, round);
     }
     return {mean.volume / weights, mean.range / weights, mean.radius / weights};
 }
 
-std::uint32_t pick_kind(std::span<const PileKind> kinds, double share) {
-    double sum = 0;
-    for (const PileKind& kind : kinds)
-        sum += kind.weight;
-    double at = share * sum;
-    std::uint32_t last = 0;
-    for (std::uint32_t k = 0; k < kinds.size(); ++k) {
-        if (!(kinds[k].weight > 0))
-            continue;
-        last = k;
-        if ((at -= kinds[k].weight) < 0)
-            break;
-    }
-    return last;
-}
-
 } // namespace
 
-std::vector<Placed> strewn(const Mesh& target, const SignedDistanceGrid& distance,
-                           const PileTurns& turns, std::span<const MassProperties> masses,
-                           const RelaxSettings& settings, const Context& context) {
+std::vector<PlacedBody> strewn(const Mesh& target, const SignedDistanceGrid& distance,
+                               const PileTurns& turns, std::span<const MassProperties> masses,
+                               const RelaxSettings& settings, const Context& context) {
     const MeanKind mean = mean_kind(turns.kinds, masses);
-    std::vector<Placed> placed;
+    std::vector<PlacedBody> placed;
     const auto strew = [&](const Mesh& surface, double apart, std::uint64_t shell) {
-        const SurfaceDiskSet set = sample_surface_disks(
-            {.mesh = &surface, .distances = {apart}, .seed = turns.seed + shell}, context);
+        const SurfaceDiskSet set =
+            sample_surface_disks({.mesh = &surface,
+                                  .distances = {apart},
+                                  .seed = derived_seed(turns.seed, Purpose::pile_strew, shell)},
+                                 context);
         for (std::size_t i = 0; i < set.samples.size(); ++i) {
             const std::uint64_t number = std::uint64_t{1} << 62 | shell << 32 | i;
             Random random(turns.seed, Purpose::pile_strew, number);
-            const PileSite site =
+            const BodySite site =
                 turns.site(set.samples[i].position, smooth_normal(surface, set.samples[i]),
-                           pick_kind(turns.kinds, random.uniform()), number);
-            const double range = turns.kinds[site.kind].range();
+                           kind_at(turns.kinds, random.uniform()), number);
+            const double range = turns.kinds[site.body].range();
             placed.push_back(site.at(settings.solid ? 0 : random.uniform(0, range)));
         }
     };
     const double share_of_volume = settings.density / mean.volume;
     if (!settings.solid) {
-        // Bodies reach out of the band that their centres are in.
+        // Components reach beyond the range in which their centres are.
         const double per_area = share_of_volume * (mean.range + mean.radius);
         strew(target, std::sqrt(samples_per_square / per_area), 0);
         return placed;

@@ -2,7 +2,6 @@
 #include "generators/pile/shape_variation.h"
 
 #include "core/error.h"
-#include "core/random.h"
 
 #include <fmt/format.h>
 
@@ -14,10 +13,10 @@ namespace {
 
 using Vec3d = Imath::V3d;
 
-// Where the inner side of a bend has this share of its length left, it begins to look creased.
+// The least share of its length that the inner side of a bend may keep: below it creases show.
 constexpr double least_left = 0.2;
 
-/// Coordinates along the axis, aside and across; a right-handed frame.
+/// The right-handed frame of a deformation: along its axis, aside, and at right angles to both.
 struct Axes {
     explicit Axes(const Deformation& d)
         : along(d.along), aside(d.aside), across(along.cross(aside)) {}
@@ -82,8 +81,8 @@ Vec3 Deformation::point(const Vec3& p) const {
     const double angle = curvature * v.x;
     if (std::abs(bend) > 1e-6) {
         const double half = std::sin(angle / 2);
-        const Vec3d foot(std::sin(angle) / curvature, 2 * half * half / curvature, 0);
-        v = foot + turned_about_z({0, v.y, v.z}, angle);
+        const Vec3d on_axis(std::sin(angle) / curvature, 2 * half * half / curvature, 0);
+        v = on_axis + turned_about_z({0, v.y, v.z}, angle);
     }
     return Vec3(Vec3d(centre) + axes.from(v) * scale);
 }
@@ -104,18 +103,17 @@ Vec3 Deformation::normal(const Vec3& p, const Vec3& n) const {
     return Vec3(axes.from(m).normalized());
 }
 
-Mesh varied_shape(const Mesh& mesh, const ShapeVariation& variation, std::uint64_t seed,
-                  std::uint32_t index) {
+Mesh varied_shape(const Mesh& mesh, const ShapeVariation& variation, std::uint32_t index,
+                  Random random) {
     const Box3 box = bounds(mesh);
     int axis = 0;
     Deformation d;
     d.centre = box.center();
     d.length = longest_side(box, axis);
     if (!(d.length > 0))
-        return mesh; // whose size cannot vary
+        return mesh; // a single point
     check_folds(mesh, variation, Vec3d(d.centre), axis, d.length);
 
-    Random random(seed, Purpose::pile_shape, index);
     const auto either_way = [&](double most) { return random.uniform(-most, most); };
     const double direction = random.uniform(0, 2 * pi);
     d.along = d.aside = Vec3(0);

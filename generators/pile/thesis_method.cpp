@@ -14,32 +14,32 @@ namespace scree {
 namespace {
 
 constexpr int iterations = 15;     // section 4.3.2.2
-constexpr double grid_step = 0.15; // radii; finer takes longer to make than it saves
+constexpr double grid_step = 0.15; // in radii; a finer grid takes longer to make than it saves
 
-/// A medial ball of a neighbour in the frame of the component at its site.
+/// A medial ball of a neighbour, in the frame of the component at its site. No corner of the
+/// component is deeper in it than `bound` [m] when the component is at `height` [m]; a depth
+/// changes no faster than the height.
 struct NearBall {
     Ball ball;
-    double height = 0; // of the component, at which
-    float bound = 0;   // it is no deeper in any corner [m]: depths change no faster
-                       // than heights
+    double height = 0;
+    float bound = 0;
 };
 
-/// The components on their way, with what eq. 4.2 is made of.
+/// The components and their heights so far, with what eq. 4.2 is computed from.
 class Refinement {
   public:
-    Refinement(std::span<const PileKind> kinds, std::span<const PileSite> sites, double overlap)
+    Refinement(std::span<const PileKind> kinds, std::span<const BodySite> sites, double overlap)
         : kinds_(kinds), sites_(sites), overlap_(overlap), heights_(sites.size(), 0.0) {
         double largest = 0;
         for (const PileKind& kind : kinds)
-            for (const Ball& ball : kind.component.balls)
+            for (const Ball& ball : kind.body->balls)
                 largest = std::max(largest, double(ball.radius));
         for (const PileKind& kind : kinds) {
             std::vector<Vec3> corners;
-            for (const Vec3& p : kind.component.prototype.mesh()->positions)
-                corners.push_back(p - kind.component.origin);
-            corners_.emplace_back(corners, grid_step * kind.component.radius, largest);
-            doubt_ =
-                std::max(doubt_, 1e-5F * static_cast<float>(kind.component.reach + kind.range()));
+            for (const Vec3& p : kind.body->mesh->positions)
+                corners.push_back(p - kind.body->origin);
+            corners_.emplace_back(corners, grid_step * kind.body->radius, largest);
+            doubt_ = std::max(doubt_, 1e-5F * static_cast<float>(kind.body->reach + kind.range()));
         }
         find_neighbours();
     }
@@ -47,7 +47,7 @@ class Refinement {
     const std::vector<std::vector<std::uint32_t>>& neighbours() const { return neighbours_; }
 
     void refine(std::uint32_t i) {
-        const double range = kinds_[sites_[i].kind].range();
+        const double range = kinds_[sites_[i].body].range();
         std::vector<NearBall> balls = balls_near(i, 0, range, {});
         const auto cost = [&](double t) {
             const double overlap = overlap_at(i, t, balls);
@@ -56,8 +56,8 @@ class Refinement {
         heights_[i] = golden_section(cost, 0, range, iterations);
     }
 
-    // The first term of eq. 4.1 where the component now is, beside those not
-    // `gone` [m].
+    // The first term of eq. 4.1 [m] for the component where it is now, with those that are not
+    // `gone`.
     double overlap_left(std::uint32_t i, const std::vector<char>& gone) const {
         std::vector<NearBall> balls = balls_near(i, heights_[i], heights_[i], gone);
         return overlap_at(i, heights_[i], balls);
@@ -68,22 +68,22 @@ class Refinement {
   private:
     Imath::V3d mid_way(std::uint32_t i) const {
         return sites_[i].position +
-               Imath::V3d(sites_[i].normal) * (kinds_[sites_[i].kind].range() / 2);
+               Imath::V3d(sites_[i].normal) * (kinds_[sites_[i].body].range() / 2);
     }
 
-    // Of all that component i may come to from the middle of its way.
+    // How far from the middle of its way component i may reach.
     double reach_along_way(std::uint32_t i) const {
-        const PileKind& kind = kinds_[sites_[i].kind];
-        return kind.component.reach + kind.range() / 2;
+        const PileKind& kind = kinds_[sites_[i].body];
+        return kind.body->reach + kind.range() / 2;
     }
 
     void find_neighbours() {
-        NeighbourHash hash(kinds_);
+        NeighbourHash hash(bodies_of(kinds_));
         double longest = 0;
         for (const PileKind& kind : kinds_)
             longest = std::max(longest, kind.range());
         for (std::uint32_t i = 0; i < sites_.size(); ++i)
-            hash.add(sites_[i].kind, i, mid_way(i));
+            hash.add(sites_[i].body, i, mid_way(i));
         neighbours_.resize(sites_.size());
         parallel_for(sites_.size(), 64, [&](std::size_t n) {
             const auto i = static_cast<std::uint32_t>(n);
@@ -96,37 +96,36 @@ class Refinement {
     }
 
     float allowed(std::uint32_t i) const {
-        return static_cast<float>(overlap_ * kinds_[sites_[i].kind].component.radius);
+        return static_cast<float>(overlap_ * kinds_[sites_[i].body].body->radius);
     }
 
-    // How far component i has moved at height t, in its own frame.
+    // By what component i has moved at height t, in its own frame [m].
     Vec3 moved(std::uint32_t i, double t) const {
-        return sites_[i].normal * sites_[i].world_from_component.transposed() *
-               static_cast<float>(t);
+        return sites_[i].normal * sites_[i].world_from_body.transposed() * static_cast<float>(t);
     }
 
-    // The neighbours' medial balls that component i may meet deeper than T from
-    // height `low` to `high`, those first that are most in its way.
+    // The neighbours' medial balls in which component i may be deeper than T at heights from `low`
+    // to `high`, those with the greatest bounds first.
     std::vector<NearBall> balls_near(std::uint32_t i, double low, double high,
                                      const std::vector<char>& gone) const {
-        const PileKind& kind = kinds_[sites_[i].kind];
-        const CornerDepth& corners = corners_[sites_[i].kind];
+        const PileKind& kind = kinds_[sites_[i].body];
+        const CornerDepth& corners = corners_[sites_[i].body];
         const double middle = (low + high) / 2;
         const Vec3 shift = moved(i, middle);
         const float floor = allowed(i) - doubt_ - static_cast<float>((high - low) / 2);
-        const float reach = static_cast<float>(kind.component.reach) - floor;
+        const float reach = static_cast<float>(kind.body->reach) - floor;
         const Pose here = sites_[i].at(0).pose;
         std::vector<NearBall> balls;
         for (const std::uint32_t j : neighbours_[i]) {
             if (!gone.empty() && gone[j])
                 continue;
-            const Placed other = sites_[j].at(heights_[j]);
-            const PileComponent& component = kinds_[other.kind].component;
+            const PlacedBody other = sites_[j].at(heights_[j]);
+            const Body& body = *kinds_[other.body].body;
             const RelativePose there = relative(other.pose, here);
-            const float far = std::max(reach, 0.0F) + static_cast<float>(component.reach);
+            const float far = std::max(reach, 0.0F) + static_cast<float>(body.reach);
             if ((there.offset - shift).length2() > far * far)
                 continue;
-            for (const Ball& ball : component.balls) {
+            for (const Ball& ball : body.balls) {
                 const Ball own{there(ball.centre), ball.radius};
                 const float bound = corners.bound({own.centre - shift, own.radius});
                 if (bound > floor)
@@ -138,12 +137,11 @@ class Refinement {
         return balls;
     }
 
-    // max f(x, T) over the component's vertices at height t [m], or 0 where it is
-    // less: eq. 4.1 takes that for none. Of the balls only those are looked at
-    // whose bound is above the deepest so far, and the one that was deepest last
-    // time is the first.
+    // max f(x, T) over the component's vertices at height t [m], but at least 0: by eq. 4.1 less is
+    // no overlap. Balls whose bounds are below the deepest so far are skipped; to skip more, the
+    // one found deepest is moved to the front for the next call.
     double overlap_at(std::uint32_t i, double t, std::vector<NearBall>& balls) const {
-        const CornerDepth& corners = corners_[sites_[i].kind];
+        const CornerDepth& corners = corners_[sites_[i].body];
         const Vec3 shift = moved(i, t);
         const float least = allowed(i);
         float deepest = least;
@@ -170,36 +168,36 @@ class Refinement {
     }
 
     std::span<const PileKind> kinds_;
-    std::span<const PileSite> sites_;
+    std::span<const BodySite> sites_;
     double overlap_;
     std::vector<CornerDepth> corners_; // of each kind's mesh
-    float doubt_ = 0;                  // [m] more than rounding adds to or takes from a depth
+    float doubt_ = 0;                  // more than the rounding error of a depth [m]
     std::vector<double> heights_;
     std::vector<std::vector<std::uint32_t>> neighbours_;
 };
 
 } // namespace
 
-std::vector<PileSite> merge_large_to_small(std::span<const PileKind> kinds,
-                                           std::span<const PileSite> sites) {
+std::vector<BodySite> merge_large_to_small(std::span<const PileKind> kinds,
+                                           std::span<const BodySite> sites) {
     std::vector<std::uint32_t> order(kinds.size());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return kinds[a].component.distribution_radius > kinds[b].component.distribution_radius;
+        return kinds[a].unit_radius > kinds[b].unit_radius;
     });
-    NeighbourHash larger(kinds);
+    double largest = 0;
+    for (const PileKind& kind : kinds)
+        largest = std::max(largest, kind.distribution_radius());
+    NeighbourHash larger(bodies_of(kinds));
     std::vector<char> kept(sites.size(), 0);
     for (const std::uint32_t kind : order) {
         std::vector<std::uint32_t> own;
         for (std::uint32_t i = 0; i < sites.size(); ++i) {
-            if (sites[i].kind != kind)
+            if (sites[i].body != kind)
                 continue;
             bool within = false;
-            double most = 0;
-            for (const PileKind& other : kinds)
-                most = std::max(most, other.distribution_radius());
-            larger.near(sites[i].position, most, [&](std::uint32_t j) {
-                const double radius = kinds[sites[j].kind].distribution_radius();
+            larger.near(sites[i].position, largest, [&](std::uint32_t j) {
+                const double radius = kinds[sites[j].body].distribution_radius();
                 within =
                     within || (sites[j].position - sites[i].position).length2() <= radius * radius;
             });
@@ -211,16 +209,17 @@ std::vector<PileSite> merge_large_to_small(std::span<const PileKind> kinds,
         for (const std::uint32_t i : own)
             larger.add(kind, i, sites[i].position);
     }
-    std::vector<PileSite> merged;
+    std::vector<BodySite> merged;
     for (std::size_t i = 0; i < sites.size(); ++i)
         if (kept[i])
             merged.push_back(sites[i]);
     return merged;
 }
 
-void place_by_thesis(Pile& pile, std::span<const PileSite> sites, const ThesisSettings& settings,
+void place_by_thesis(PlacedBodies& pile, std::span<const PileKind> kinds,
+                     std::span<const BodySite> sites, const ThesisSettings& settings,
                      const Context& context) {
-    Refinement refinement(pile.kinds, sites, settings.overlap);
+    Refinement refinement(kinds, sites, settings.overlap);
     const auto levels = dependency_levels(refinement.neighbours());
     for (std::size_t l = 0; l < levels.size(); ++l) {
         context.check_cancel();
@@ -231,7 +230,7 @@ void place_by_thesis(Pile& pile, std::span<const PileSite> sites, const ThesisSe
     if (settings.removal)
         for (std::uint32_t i = 0; i < sites.size(); ++i)
             gone[i] = refinement.overlap_left(i, gone) >
-                      *settings.removal * pile.kinds[sites[i].kind].component.radius;
+                      *settings.removal * kinds[sites[i].body].body->radius;
     for (std::uint32_t i = 0; i < sites.size(); ++i)
         if (!gone[i])
             pile.add(sites[i].at(refinement.height(i)));

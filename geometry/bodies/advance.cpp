@@ -7,15 +7,18 @@ namespace scree {
 
 namespace {
 
-// In radii: how deep what counts as free may still reach, and the least step, without which a
-// component that slides along another would never end.
-constexpr double contact = 0.004;
+// In radii of the smaller body.
+constexpr double contact = 0.004; // how deep bodies that count as free may still reach
+// Outwards; without it a body that slides along another would approach its end in ever smaller
+// steps.
 constexpr double least_step = 0.02;
 
-/// Two components, of which one's probe is held against the other's distance, or both's.
+/// Two bodies and how deep they are in each other. The finer one's probe is looked up in the
+/// coarser one's distance; where that probe has single points, which a thin part may pass between,
+/// the coarser one's probe is looked up in the finer one's distance too.
 class Pair {
   public:
-    Pair(const PileComponent& a, const Pose& pose_a, const PileComponent& b, const Pose& pose_b)
+    Pair(const Body& a, const Pose& pose_a, const Body& b, const Pose& pose_b)
         : a_is_fine_(a.radius <= b.radius), fine_(a_is_fine_ ? &a : &b),
           coarse_(a_is_fine_ ? &b : &a),
           there_(a_is_fine_ ? relative(pose_a, pose_b) : relative(pose_b, pose_a)) {
@@ -23,7 +26,7 @@ class Pair {
             back_ = a_is_fine_ ? relative(pose_b, pose_a) : relative(pose_a, pose_b);
     }
 
-    /// `shift_in_a` and `shift_in_b`: how far a has moved, in either's frame.
+    /// The depth [m] when a has moved by the shift, which is given in the frames of both.
     float depth(const Vec3& shift_in_a, const Vec3& shift_in_b, float floor, float enough) const {
         RelativePose there = there_;
         there.offset += a_is_fine_ ? shift_in_b : -shift_in_a;
@@ -37,52 +40,53 @@ class Pair {
 
   private:
     bool a_is_fine_;
-    const PileComponent* fine_;
-    const PileComponent* coarse_;
+    const Body* fine_;
+    const Body* coarse_;
     RelativePose there_; // from the fine one's frame to the coarse one's
     RelativePose back_;
 };
 
 struct Neighbour {
-    const Placed* placed;
+    const PlacedBody* placed;
     double distance2;
 };
 
-/// A neighbour on the way outwards.
+/// A neighbour that may be in the way outwards.
 struct Obstacle {
     Pair pair;
-    Vec3 normal;       // the way's, in the neighbour's frame
+    Vec3 normal;       // the direction of the motion, in the neighbour's frame
     double allowed;    // depth [m]
     double free_until; // the height to which it has been shown to be no obstacle
 };
 
 } // namespace
 
-double allowed_depth(const PileComponent& a, const PileComponent& b, double overlap) {
+double allowed_depth(const Body& a, const Body& b, double overlap) {
     return (overlap + contact) * std::min(a.radius, b.radius);
 }
 
-float depth_between(const PileComponent& a, const Pose& pose_a, const PileComponent& b,
-                    const Pose& pose_b, float floor, float enough) {
+float depth_between(const Body& a, const Pose& pose_a, const Body& b, const Pose& pose_b,
+                    float floor, float enough) {
     return Pair(a, pose_a, b, pose_b).depth(Vec3(0), Vec3(0), floor, enough);
 }
 
-bool is_free(const Pile& pile, const Placed& a, const Placed& b, double overlap) {
-    const PileComponent& ca = pile.component(a);
-    const PileComponent& cb = pile.component(b);
-    const auto allowed = static_cast<float>(allowed_depth(ca, cb, overlap));
-    return depth_between(ca, a.pose, cb, b.pose, allowed, allowed) <= allowed;
+bool is_free(const PlacedBodies& bodies, const PlacedBody& a, const PlacedBody& b, double overlap) {
+    const Body& body_a = bodies.body(a);
+    const Body& body_b = bodies.body(b);
+    const auto allowed = static_cast<float>(allowed_depth(body_a, body_b, overlap));
+    return depth_between(body_a, a.pose, body_b, b.pose, allowed, allowed) <= allowed;
 }
 
-Advance advance(const Pile& pile, const PileSite& site, double from, double limit, double overlap) {
-    const PileComponent& component = pile.kinds[site.kind].component;
-    const Vec3 own_normal = site.normal * site.world_from_component.transposed();
+Advance advance(const PlacedBodies& bodies, const BodySite& site, double from, double limit,
+                double overlap) {
+    const Body& body = *bodies.shapes[site.body];
+    const Vec3 own_normal = site.normal * site.world_from_body.transposed();
     const Pose base = site.at(0).pose;
-    // The nearest first: they are the most in the way.
+    // The nearest first, which are most likely to be in the way.
     std::vector<Neighbour> neighbours;
     const Imath::V3d middle = site.at((from + limit) / 2).pose.centre;
-    pile.hash.near(middle, component.reach + (limit - from) / 2, [&](std::uint32_t index) {
-        const Placed& placed = pile.all[index];
+    bodies.hash.near(middle, body.reach + (limit - from) / 2, [&](std::uint32_t index) {
+        const PlacedBody& placed = bodies.all[index];
         neighbours.push_back({&placed, (placed.pose.centre - middle).length2()});
     });
     std::sort(neighbours.begin(), neighbours.end(), [](const Neighbour& a, const Neighbour& b) {
@@ -100,10 +104,10 @@ Advance advance(const Pile& pile, const PileSite& site, double from, double limi
                                            static_cast<float>(obstacle.allowed)));
             if (depth <= obstacle.allowed) {
                 obstacle.free_until =
-                    height + std::max(obstacle.allowed - depth, 1e-6 * component.radius);
+                    height + std::max(obstacle.allowed - depth, 1e-6 * body.radius);
                 break;
             }
-            height += std::max(depth - obstacle.allowed, least_step * component.radius);
+            height += std::max(depth - obstacle.allowed, least_step * body.radius);
             moved = true;
         }
         return moved;
@@ -111,15 +115,15 @@ Advance advance(const Pile& pile, const PileSite& site, double from, double limi
     std::vector<Obstacle> obstacles;
     obstacles.reserve(neighbours.size());
     for (const Neighbour& neighbour : neighbours) {
-        const PileComponent& other = pile.component(*neighbour.placed);
-        obstacles.push_back({Pair(component, base, other, neighbour.placed->pose),
-                             site.normal * neighbour.placed->pose.world_from_component.transposed(),
-                             allowed_depth(component, other, overlap), from});
+        const Body& other = bodies.body(*neighbour.placed);
+        obstacles.push_back({Pair(body, base, other, neighbour.placed->pose),
+                             site.normal * neighbour.placed->pose.world_from_body.transposed(),
+                             allowed_depth(body, other, overlap), from});
         pass(obstacles.back());
         if (height > limit)
             return {height, false};
     }
-    // Until all in a row are none any more.
+    // Past one obstacle it may be in an earlier one again: until a whole round moves it no more.
     for (std::size_t k = 0, passed = 0; passed < obstacles.size(); k = (k + 1) % obstacles.size()) {
         passed = pass(obstacles[k]) ? 0 : passed + 1;
         if (height > limit)

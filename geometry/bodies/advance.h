@@ -1,53 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Conservative advancement: a signed distance is 1-Lipschitz, so that what reaches `depth` into
-// another is not free of it before it has moved that far, whichever way.
+// Conservative advancement: a signed distance changes no faster than the point moves, so a body
+// that reaches `depth` into another has to move at least that far, in whatever direction, to be
+// free.
 #pragma once
 
-#include "generators/pile/pile_sites.h"
-#include "geometry/bodies/neighbour_hash.h"
+#include "geometry/bodies/placed_bodies.h"
+
+#include <limits>
 
 namespace scree {
 
-/// What is placed so far, and where.
-struct Pile {
-    explicit Pile(std::span<const PileKind> kinds_of) : kinds(kinds_of), hash(kinds_of) {}
+/// How deep two bodies reach into each other [m], by their probes, to within 1% of the smaller
+/// radius; negative where they are apart. `floor` and `enough` as in `BallTree::depth_in`.
+float depth_between(const Body& a, const Pose& pose_a, const Body& b, const Pose& pose_b,
+                    float floor, float enough = std::numeric_limits<float>::max());
 
-    void add(const Placed& placed) {
-        hash.add(placed.kind, static_cast<std::uint32_t>(all.size()), placed.pose.centre);
-        all.push_back(placed);
-    }
-    const PileComponent& component(const Placed& placed) const {
-        return kinds[placed.kind].component;
-    }
+/// How deep two bodies may reach into each other and still count as free [m]. `overlap` is in radii
+/// of the smaller one's largest inner ball.
+double allowed_depth(const Body& a, const Body& b, double overlap);
 
-    std::span<const PileKind> kinds;
-    std::vector<Placed> all;
-    NeighbourHash hash;
-};
+/// Whether two placed bodies reach no deeper into each other than `allowed_depth`.
+bool is_free(const PlacedBodies& bodies, const PlacedBody& a, const PlacedBody& b, double overlap);
 
-/// How far two components reach into each other [m], as their probes tell, give or take 1% of the
-/// smaller radius; negative where they are apart. `floor` and `enough` as in `BallTree::depth_in`.
-float depth_between(const PileComponent& a, const Pose& pose_a, const PileComponent& b,
-                    const Pose& pose_b, float floor,
-                    float enough = std::numeric_limits<float>::max());
-
-/// How deep two components may reach into each other and still count as free [m], for `overlap` in
-/// radii of the smaller's largest inner ball.
-double allowed_depth(const PileComponent& a, const PileComponent& b, double overlap);
-
-/// Whether two components reach no deeper than `overlap` (in radii of the smaller's largest inner
-/// ball) into each other.
-bool is_free(const Pile& pile, const Placed& a, const Placed& b, double overlap);
-
-/// Where a component comes free.
+/// Where a body that moves outwards is free of others.
 struct Advance {
-    double height = 0; // [m] outwards; beyond the limit where it is not free
+    double height = 0; // above the site [m]; beyond the limit if it is not free below it
     bool free = false;
 };
 
-/// Moves the site's component outwards from `from` [m] to the first height at which it reaches no
-/// deeper than `overlap` (in radii of the largest inner ball) into any of the pile, give or take 2%
-/// of its radius; not beyond `limit` [m].
-Advance advance(const Pile& pile, const PileSite& site, double from, double limit, double overlap);
+/// Moves the site's body outwards from the height `from` [m] to the first one at which it reaches
+/// no deeper into any of `bodies` than `allowed_depth`, to within 2% of its radius; not beyond the
+/// height `limit` [m].
+Advance advance(const PlacedBodies& bodies, const BodySite& site, double from, double limit,
+                double overlap);
 
 } // namespace scree

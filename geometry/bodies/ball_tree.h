@@ -12,27 +12,27 @@
 
 namespace scree {
 
-/// Balls in a tree of balls that hold those below them, for the deepest of them in a neighbour.
+/// Balls in a binary tree of bounding balls, to find those that reach deepest into a neighbour.
 class BallTree {
   public:
     BallTree() = default;
     explicit BallTree(std::vector<Ball> balls);
 
-    /// How far the balls reach into a neighbour [m]: the greatest radius less distance to it, where
-    /// `there` takes their frame to the neighbour's. Negative where they keep away. Exact between
-    /// `floor` and `enough`; below `floor` it is that, and above `enough` any depth above it that
-    /// some ball has.
+    /// How deep the balls reach into a neighbour [m]: the greatest difference of a ball's radius
+    /// and its centre's distance to the neighbour, negative if all are apart from it. `there` takes
+    /// the balls' frame to the neighbour's. A depth of less than `floor` is returned as `floor`;
+    /// the search ends at the first ball deeper than `enough`, and returns its depth.
     float depth_in(const SignedDistanceGrid& neighbour, const RelativePose& there, float floor,
                    float enough = std::numeric_limits<float>::max()) const;
 
-    /// The same for what is at `distance(p)` from a point p of the balls' frame: a function that
-    /// grows no faster than p moves.
+    /// The same for any neighbour whose signed distance from a point p of the balls' frame is
+    /// `distance(p)`, which must change no faster than p moves.
     template <class Distance>
     float depth_where(const Distance& distance, float floor,
                       float enough = std::numeric_limits<float>::max()) const;
 
-    /// The ball that reaches deepest, and how deep [m], likewise; none, of depth `floor`, where no
-    /// ball is deeper.
+    /// The ball that reaches deepest, and its depth [m]; if none is deeper than `floor`, no ball
+    /// and that depth.
     struct Deepest {
         Ball ball;
         float depth = std::numeric_limits<float>::lowest();
@@ -41,7 +41,7 @@ class BallTree {
     Deepest deepest_where(const Distance& distance,
                           float floor = std::numeric_limits<float>::lowest()) const;
 
-    /// Calls found(centre) for all balls that come within `gap` of what is at `distance`, likewise.
+    /// Calls found(centre) for all balls that are nearer than `gap` [m] to such a neighbour.
     template <class Distance, class Found>
     void each_within(const Distance& distance, float gap, const Found& found) const;
 
@@ -51,13 +51,14 @@ class BallTree {
   private:
     struct Node {
         Ball hull;
-        std::uint32_t first = 0; // child, the second follows it; or ball of a leaf
-        std::uint32_t count = 0; // of a leaf's balls, or 0
+        std::uint32_t first =
+            0; // its first child, which the second follows; of a leaf its first ball
+        std::uint32_t count = 0; // of the leaf's balls; 0 if it is no leaf
     };
 
     void split(std::uint32_t node, std::uint32_t first, std::uint32_t end);
 
-    // As `depth_where`; deeper(ball) is called for each that is deeper than those before it.
+    // As `depth_where`; calls deeper(ball) for every ball that is the deepest so far.
     template <class Distance, class Deeper>
     float search(const Distance& distance, float floor, float enough, const Deeper& deeper) const;
 
@@ -78,7 +79,7 @@ float BallTree::search(const Distance& distance, float floor, float enough,
         std::uint32_t node;
         float bound;
     };
-    std::array<Open, 64> open; // one a level, and the tree is balanced
+    std::array<Open, 64> open; // at most one for each level, and the tree is balanced
     std::size_t count = 0;
     float deepest = floor;
     if (!nodes_.empty())
@@ -121,7 +122,7 @@ void BallTree::each_within(const Distance& distance, float gap, const Found& fou
     const auto is_within = [&](const Ball& ball) {
         return distance(ball.centre) - ball.radius < gap;
     };
-    std::array<std::uint32_t, 64> open; // one a level, and the tree is balanced
+    std::array<std::uint32_t, 64> open; // at most one for each level, and the tree is balanced
     std::size_t count = 0;
     if (!nodes_.empty())
         open[count++] = 0;

@@ -1,46 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/bodies/advance.h"
+#include "geometry/bodies/placed_bodies.h"
 
 #include <optional>
 
 namespace scree {
 
-/// Where a component is touched by another.
+/// That a body touches another one.
 struct Contact {
     std::uint32_t other = 0;
-    std::vector<Vec2> supports; // corners (x, z), from its centre of mass, of where that holds it
-                                // up [m]; none where it only touches its side or top
+    // The convex area on which the other one holds it up: corners (x, z) relative to its centre of
+    // mass [m]. Empty where the other one only touches it from the side or from above.
+    std::vector<Vec2> supports;
 };
 
-/// Who touches whom, and what holds them.
+/// Which bodies touch, and what holds them; all by their numbers in `PlacedBodies::all`.
 struct ContactGraph {
-    std::vector<std::vector<Contact>> contacts; // by component
-    std::vector<char> anchored;                 // those that stick to the target
-    std::vector<std::vector<Vec2>> floor;       // as Contact::supports, on the floor
+    std::vector<std::vector<Contact>> contacts;
+    std::vector<char> anchored;           // whether it sticks to the target
+    std::vector<std::vector<Vec2>> floor; // the area on which the floor holds it up, likewise
 
     std::size_t size() const { return contacts.size(); }
     bool on_ground(std::size_t i) const { return anchored[i] != 0 || !floor[i].empty(); }
 };
 
-/// What touches what.
+/// What counts as a contact.
 struct ContactSettings {
-    double tolerance = 0.05; // gap that counts as touching, in radii of the smaller's largest
-                             // inner ball; beyond 0.08, where the distance's
-                             // grid ends, up to 1.4 times as much counts
-    const Mesh* adhesive = nullptr; // a surface that all stick to that touch it
-    std::optional<double> floor{};  // height [m] of a level plane that they stand on
+    // The gap that still counts as touching, in radii of the smaller one's largest inner ball.
+    // Outside of its grid a distance is a bound from below, so that of a setting beyond 0.08 gaps
+    // of up to 1.4 times as much count.
+    double tolerance = 0.05;
+    const Mesh* adhesive = nullptr; // if any, a surface to which every body sticks that touches it
+    std::optional<double> floor{};  // height of a level floor [m]
 };
 
-/// The contacts of a pile, by dense samples of the true meshes in the neighbours' signed distance.
-/// A contact holds up where it pushes upwards: its surface is not steeper than 84 degrees.
-ContactGraph contact_graph(const Pile& pile, const ContactSettings& settings);
+/// The contacts of all bodies, found by dense samples of each mesh in the others' signed distances.
+/// A contact holds a body up where it pushes upwards: where the surface below is not steeper than
+/// 84 degrees.
+ContactGraph contact_graph(const PlacedBodies& bodies, const ContactSettings& settings);
 
-/// The height of the pile's lowest point [m].
-double lowest_point(const Pile& pile);
-
-/// The centre of mass of a closed mesh of even density; of an open one that of its surface.
-Imath::V3d mass_centre(const Mesh& mesh, bool closed);
+/// The height of the lowest point of all bodies [m].
+double lowest_point(const PlacedBodies& bodies);
 
 } // namespace scree

@@ -44,7 +44,7 @@ CornerDepth::CornerDepth(const std::vector<Vec3>& corners, double step, double l
         const auto k = static_cast<int>(row / std::size_t(grid_.count[1]));
         float nearest = std::numeric_limits<float>::max();
         for (int i = 0; i < grid_.count[0]; ++i) {
-            // The cell before tells how near the nearest is at least.
+            // The nearest corner is at most a step farther than from the cell before.
             const float floor = -nearest - 1.001F * step_;
             nearest = -depth({Vec3(grid_.centre(i, j, k)), 0}, floor);
             distance_[grid_.index(i, j, k)] = nearest;

@@ -6,21 +6,23 @@
 
 namespace scree {
 
-/// The corners of a mesh, for how deep they lie in balls: eq. 4.2 of Sakurai (2013) from the side
-/// of the balls.
+/// The corners of a mesh, to find how deep they lie in balls: eq. 4.2 of Sakurai (2013), looked up
+/// ball by ball.
 class CornerDepth {
   public:
-    /// For balls of `largest` radius [m] at most; `step` [m] is that of a grid of distances to the
-    /// corners, coarser where it would be large.
+    /// For balls of at most the radius `largest` [m]. `step` [m] is the cell size of a grid of
+    /// distances to the corners, which is made coarser if it would have too many cells.
     CornerDepth(const std::vector<Vec3>& corners, double step, double largest);
 
-    /// A depth [m] in the ball that no corner is deeper in, but for rounding: a look-up.
+    /// An upper bound of the depth of any corner in the ball [m], except for rounding: a single
+    /// look-up.
     float bound(const Ball& ball) const {
         const Vec3 g = (ball.centre - low_) * inverse_step_;
         const Vec3 beyond(std::max(std::max(-g.x, g.x - high_.x), 0.0F),
                           std::max(std::max(-g.y, g.y - high_.y), 0.0F),
                           std::max(std::max(-g.z, g.z - high_.z), 0.0F));
-        // All corners are as far from the grid's rim as the largest ball is wide.
+        // The grid reaches beyond all corners by the largest radius: from outside no ball meets
+        // one.
         if (const float beyond2 = beyond.length2(); beyond2 > 0)
             return -std::sqrt(beyond2) * step_;
         const int x = std::min(static_cast<int>(g.x), grid_.count[0] - 1);
@@ -32,7 +34,7 @@ class CornerDepth {
         return ball.radius + away - distance_[grid_.index(x, y, z)];
     }
 
-    /// The depth [m] of the deepest corner in the ball, or `floor` where that is more.
+    /// The depth of the deepest corner in the ball, but at least `floor` [m].
     float depth(const Ball& ball, float floor) const {
         return corners_.depth_where(
             [&](const Vec3& p) { return (p - ball.centre).length() - ball.radius; }, floor);
@@ -41,7 +43,8 @@ class CornerDepth {
   private:
     BallTree corners_;
     VoxelGrid grid_;
-    Vec3 low_, high_; // corners of the grid, the upper in steps from the lower
+    Vec3 low_;  // the lowest corner of the grid
+    Vec3 high_; // its highest, in cells from the lowest
     float step_ = 1;
     float inverse_step_ = 1;
     std::vector<float> distance_; // of the cells' centres to the nearest corner [m]

@@ -7,10 +7,10 @@
 
 namespace scree {
 
-/// Numbers 0, 1, ... in levels such that none depends on another of its level, and each stands in
-/// a later level than those before it that it depends on: worked through level by level, each
-/// level in any order, the outcome is that of strict order. `neighbours[i]` lists whom i depends
-/// on, both ways.
+/// Sorts the tasks 0, 1, ... into levels, so that those of a level may be done in any order or at
+/// the same time, and all levels in turn give the outcome of all tasks in turn: no task depends on
+/// another of its level, and each is in a later level than the earlier tasks that it depends on.
+/// `neighbours[i]` are all tasks that depend on i or on which i depends.
 inline std::vector<std::vector<std::uint32_t>>
 dependency_levels(std::span<const std::vector<std::uint32_t>> neighbours) {
     std::vector<std::uint32_t> level(neighbours.size(), 0);

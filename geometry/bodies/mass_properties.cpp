@@ -11,9 +11,10 @@ struct Moments {
     Imath::V3d first{0.0, 0.0, 0.0};
     Imath::M33d second{0, 0, 0, 0, 0, 0, 0, 0, 0};
 
-    /// One of the given size with these corners, and with `others` more of the origin.
-    void add(double size, const std::array<Imath::V3d, 3>& corners, int others) {
-        const double n = 3 + others;
+    /// Adds a simplex of the given volume or area: a triangle with these corners (`at_origin` 0),
+    /// or a tetrahedron with them and the origin (1).
+    void add(double size, const std::array<Imath::V3d, 3>& corners, int at_origin) {
+        const double n = 3 + at_origin;
         const Imath::V3d sum = corners[0] + corners[1] + corners[2];
         mass += size;
         first += sum * (size / n);
@@ -29,20 +30,20 @@ struct Moments {
 
 } // namespace
 
-MassProperties mass_properties(const PileComponent& component) {
-    const Mesh& mesh = *component.prototype.mesh();
-    const double thickness = 2 * component.skin;
+MassProperties mass_properties(const Body& body) {
+    const Mesh& mesh = *body.mesh;
+    const double thickness = 2 * body.skin;
     Moments moments;
     for (const Mesh::Triangle& t : mesh.triangles) {
         std::array<Imath::V3d, 3> v;
         for (std::size_t k = 0; k < 3; ++k)
-            v[k] = Imath::V3d(mesh.positions[t[k]] - component.origin);
+            v[k] = Imath::V3d(mesh.positions[t[k]] - body.origin);
         if (thickness > 0)
             moments.add((v[1] - v[0]).cross(v[2] - v[0]).length() / 2 * thickness, v, 0);
         else
             moments.add(v[0].dot(v[1].cross(v[2])) / 6, v, 1);
     }
-    if (moments.mass < 0) { // inside out
+    if (moments.mass < 0) { // the triangles face inwards
         moments.mass = -moments.mass;
         moments.first = -moments.first;
         moments.second *= -1;
@@ -56,7 +57,7 @@ MassProperties mass_properties(const PileComponent& component) {
         for (int j = 0; j < 3; ++j)
             inertia[i][j] = (i == j ? trace : 0.0) - moments.second[i][j] +
                             moments.mass * centre[i] * centre[j];
-    // In units of its own, so that the determinant is far from the least of numbers.
+    // Scaled, since the determinant of a small body's inertia would be too small for a double.
     const double unit = trace;
     inertia /= unit;
     return {moments.mass, Vec3(centre), inertia.inverse() / unit};

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/bodies/pile_component.h"
+#include "geometry/bodies/body.h"
 
 namespace scree {
 
-/// What a component weighs, of even density 1, in its own frame.
+/// Mass and inertia of a body of density 1, in its own frame.
 struct MassProperties {
-    double mass = 0;             // [m^3]
+    double mass = 0;             // the volume [m^3]
     Vec3 centre;                 // of mass [m]
-    Imath::M33d inverse_inertia; // about that centre [m^-5]
+    Imath::M33d inverse_inertia; // about the centre of mass [m^-5]
 };
 
-/// Of what a closed mesh encloses, or of a sheet.
-MassProperties mass_properties(const PileComponent& component);
+/// Those of the volume that a closed mesh encloses, or of a sheet as an infinitely thin surface
+/// with the mass of its thickness.
+MassProperties mass_properties(const Body& body);
 
 } // namespace scree

@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "geometry/bodies/pile_kind.h"
+#include "geometry/bodies/body.h"
 
-#include <span>
 #include <unordered_map>
 
 namespace scree {
 
-/// Finds what is placed near a point. Each kind has its own cells, of the size of its largest
-/// reach, so that small components among large ones are found as fast as among their own.
+/// Finds placed bodies near a point. Each shape of body has a grid of its own, with cells as wide
+/// as the body, so that small bodies among large ones are found as fast as among their own.
 class NeighbourHash {
   public:
-    explicit NeighbourHash(std::span<const PileKind> kinds);
+    explicit NeighbourHash(const Bodies& bodies);
 
-    /// Adds number `index` at `centre`.
-    void add(std::uint32_t kind, std::uint32_t index, const Imath::V3d& centre);
+    /// Adds number `index`, of the given body, at `centre`.
+    void add(std::uint32_t body, std::uint32_t index, const Imath::V3d& centre);
 
     /// Calls found(index) for all whose reach comes within `radius` [m] of `centre`.
     template <class Found>
     void near(const Imath::V3d& centre, double radius, const Found& found) const {
-        for (const Cells& cells : kinds_)
+        for (const Cells& cells : cells_of_body_)
             cells.near(centre, radius, found);
     }
 
@@ -71,7 +70,7 @@ class NeighbourHash {
         }
     };
 
-    std::vector<Cells> kinds_;
+    std::vector<Cells> cells_of_body_;
 };
 
 } // namespace scree

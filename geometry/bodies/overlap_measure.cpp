@@ -12,42 +12,42 @@ namespace scree {
 
 namespace {
 
-// Points evenly at random inside of a component; fewer where it fills next to nothing of its box.
-std::vector<Vec3> points_inside(const PileComponent& component, std::size_t count) {
+// Points evenly at random inside of a body; fewer if it fills next to nothing of its box.
+std::vector<Vec3> points_inside(const Body& body, std::size_t count, Random random) {
     Box3 box;
-    for (const Vec3& p : component.prototype.mesh()->positions)
-        box.extendBy(p - component.origin);
+    for (const Vec3& p : body.mesh->positions)
+        box.extendBy(p - body.origin);
     const Vec3 size = box.size();
-    Random random(0, Purpose::pile_inside);
     std::vector<Vec3> points;
     for (std::size_t trial = 0; points.size() < count && trial < 1000 * count; ++trial) {
         Vec3 p = box.min;
         for (int axis = 0; axis < 3; ++axis)
             p[axis] += size[axis] * random.uniform_float();
-        if (component.distance.at(p) < 0)
+        if (body.distance.at(p) < 0)
             points.push_back(p);
     }
     return points;
 }
 
+/// How much one body overlaps the others.
 struct Overlap {
-    double depth = 0;
-    double share = 0;
+    double depth = 0; // the deepest, in radii of the smaller of the two
+    double share = 0; // of its volume that is inside of others
 };
 
-Overlap overlap_of(const Pile& pile, std::uint32_t i, const std::vector<Vec3>& inside) {
-    const Placed& placed = pile.all[i];
-    const PileComponent& own = pile.component(placed);
+Overlap overlap_of(const PlacedBodies& bodies, std::uint32_t i, const std::vector<Vec3>& inside) {
+    const PlacedBody& placed = bodies.all[i];
+    const Body& own = bodies.body(placed);
     Overlap overlap;
     std::vector<char> taken(inside.size(), 0);
-    pile.hash.near(placed.pose.centre, own.reach, [&](std::uint32_t j) {
+    bodies.hash.near(placed.pose.centre, own.reach, [&](std::uint32_t j) {
         if (j == i)
             return;
-        const PileComponent& other = pile.component(pile.all[j]);
-        const RelativePose there = relative(placed.pose, pile.all[j].pose);
+        const Body& other = bodies.body(bodies.all[j]);
+        const RelativePose there = relative(placed.pose, bodies.all[j].pose);
         if (double(other.distance.at(there.offset)) > own.reach)
             return;
-        const RelativePose back = relative(pile.all[j].pose, placed.pose);
+        const RelativePose back = relative(bodies.all[j].pose, placed.pose);
         const float depth = std::max(own.samples.depth_in(other.distance, there, 0),
                                      other.samples.depth_in(own.distance, back, 0));
         overlap.depth = std::max(overlap.depth, double(depth) / std::min(own.radius, other.radius));
@@ -62,15 +62,17 @@ Overlap overlap_of(const Pile& pile, std::uint32_t i, const std::vector<Vec3>& i
 
 } // namespace
 
-OverlapMeasure measure_overlap(const Pile& pile, std::size_t most, std::size_t volume_samples) {
+OverlapMeasure measure_overlap(const PlacedBodies& bodies, std::size_t most,
+                               std::size_t volume_samples) {
     std::vector<std::vector<Vec3>> inside;
-    for (const PileKind& kind : pile.kinds)
-        inside.push_back(points_inside(kind.component, volume_samples));
-    const std::size_t count = std::min(most, pile.all.size());
+    for (std::size_t k = 0; k < bodies.shapes.size(); ++k)
+        inside.push_back(
+            points_inside(*bodies.shapes[k], volume_samples, Random(0, Purpose::pile_inside, k)));
+    const std::size_t count = std::min(most, bodies.all.size());
     std::vector<Overlap> overlaps(count);
     parallel_for(count, 4, [&](std::size_t n) {
-        const auto i = static_cast<std::uint32_t>(n * pile.all.size() / count);
-        overlaps[n] = overlap_of(pile, i, inside[pile.all[i].kind]);
+        const auto i = static_cast<std::uint32_t>(n * bodies.all.size() / count);
+        overlaps[n] = overlap_of(bodies, i, inside[bodies.all[i].body]);
     });
     OverlapMeasure measure{.measured = count};
     if (count == 0)

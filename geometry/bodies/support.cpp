@@ -9,12 +9,13 @@ namespace scree {
 
 namespace {
 
-/// The components that are left, and how they stand.
+/// The bodies that have not fallen yet, and how they stand.
 class Standing {
   public:
     explicit Standing(const ContactGraph& graph) : graph_(graph), left_(graph.size(), 1) {}
 
-    /// Those that a way of contacts leads to from the ground; `by_support`: always upwards.
+    /// Those to which a chain of contacts leads from the ground; with `by_support` a chain in which
+    /// each body holds up the next.
     std::vector<char> reached(bool by_support) const {
         std::vector<char> reached(graph_.size(), 0);
         std::vector<std::uint32_t> open;
@@ -49,7 +50,7 @@ class Standing {
 
     bool is_left(std::uint32_t i) const { return left_[i] != 0; }
 
-    /// Takes away all that fall now. Whether there were any.
+    /// Removes all bodies that fall now; returns whether there were any.
     bool drop() {
         const std::vector<char> held = reached(true);
         std::vector<std::uint32_t> falling;

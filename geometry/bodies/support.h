@@ -5,23 +5,23 @@
 
 namespace scree {
 
-/// What would not stay where it is.
+/// Which bodies would not stay where they are; a flag for each body.
 struct Support {
-    std::vector<char> floating;    // no way of contacts to the ground
-    std::vector<char> unsupported; // the ground is in touch, but its centre of mass is not over the
-                                   // convex hull of what holds it up
-    std::vector<char> falling;     // all that come down once these have, and what rests on them
+    std::vector<char> floating;    // no chain of contacts leads from it to the ground
+    std::vector<char> unsupported; // one does, but its centre of mass is not over the convex hull
+                                   // of the places where it is held up
+    std::vector<char> falling;     // both of these, and what falls once they are gone
 };
 
-/// Which components fall. Gravity is -y; friction is thought to be enough everywhere, and what
-/// holds one component up to bear any load, so that whole towers do not topple. What sticks to the
-/// target stays.
+/// Which bodies would fall. Gravity is along -y. Friction is taken to be enough everywhere, and any
+/// support to bear any load: each body is judged by itself, so that whole towers do not topple.
+/// What sticks to the target stays.
 Support support_of(const ContactGraph& graph);
 
-/// In how many groups of touching components the pile comes apart when the ground is taken away.
+/// The number of groups of touching bodies that are left when the ground is taken away.
 std::size_t contact_groups(const ContactGraph& graph);
 
-/// Mean number of others that a component touches.
+/// The mean number of others that a body touches.
 double mean_contacts(const ContactGraph& graph);
 
 } // namespace scree

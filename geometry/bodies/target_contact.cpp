@@ -12,8 +12,9 @@ namespace {
 
 using Vec3d = Imath::V3d;
 
-constexpr double least_piece = 0.02; // of a triangle, in radii of a component
+constexpr double least_piece = 0.02; // radius of a piece, in radii of a body
 
+/// A triangle of the target or a part of one.
 struct Piece {
     std::array<Vec3d, 3> corners;
 
@@ -42,29 +43,27 @@ struct Piece {
     }
 };
 
-// A signed distance is 1-Lipschitz.
-bool touches(const Piece& piece, const PileComponent& component, const Pose& pose,
-             double tolerance) {
+// Halves the piece until the distance at its middle decides: it changes no faster than the point
+// moves.
+bool touches(const Piece& piece, const Body& body, const Pose& pose, double tolerance) {
     const Vec3d middle = piece.middle();
-    const Vec3 local = Vec3(middle - pose.centre) * pose.world_from_component.transposed();
-    const double gap = double(component.distance.at(local)) - tolerance * component.radius;
+    const Vec3 local = Vec3(middle - pose.centre) * pose.world_from_body.transposed();
+    const double gap = double(body.distance.at(local)) - tolerance * body.radius;
     const double radius = piece.radius();
     if (gap <= 0)
         return true;
-    if (gap > radius || radius < least_piece * component.radius)
+    if (gap > radius || radius < least_piece * body.radius)
         return false;
     const std::array<Piece, 2> halves = piece.halves();
-    return touches(halves[0], component, pose, tolerance) ||
-           touches(halves[1], component, pose, tolerance);
+    return touches(halves[0], body, pose, tolerance) || touches(halves[1], body, pose, tolerance);
 }
 
 class TargetContact {
   public:
-    TargetContact(const Pile& pile, double tolerance)
-        : pile_(pile), tolerance_(tolerance), touching_(pile.all.size()) {
-        for (const PileKind& kind : pile.kinds)
-            reach_ = std::max(reach_, kind.component.reach);
-        for (const Placed& placed : pile.all) {
+    TargetContact(const PlacedBodies& bodies, double tolerance)
+        : bodies_(bodies), tolerance_(tolerance), reach_(largest_reach(bodies.shapes)),
+          touching_(bodies.all.size()) {
+        for (const PlacedBody& placed : bodies.all) {
             box_.extendBy(placed.pose.centre - Vec3d(2 * reach_));
             box_.extendBy(placed.pose.centre + Vec3d(2 * reach_));
         }
@@ -83,10 +82,10 @@ class TargetContact {
                 look(half);
             return;
         }
-        pile_.hash.near(middle, radius + tolerance_ * reach_, [&](std::uint32_t i) {
-            const Placed& placed = pile_.all[i];
+        bodies_.hash.near(middle, radius + tolerance_ * reach_, [&](std::uint32_t i) {
+            const PlacedBody& placed = bodies_.all[i];
             if (!touching_[i].load(std::memory_order_relaxed) &&
-                touches(piece, pile_.component(placed), placed.pose, tolerance_))
+                touches(piece, bodies_.body(placed), placed.pose, tolerance_))
                 touching_[i].store(true, std::memory_order_relaxed);
         });
     }
@@ -94,17 +93,18 @@ class TargetContact {
     std::vector<char> result() const { return {touching_.begin(), touching_.end()}; }
 
   private:
-    const Pile& pile_;
+    const PlacedBodies& bodies_;
     double tolerance_;
-    double reach_ = 0;
+    double reach_; // of the largest body [m]
     Imath::Box3d box_;
     std::vector<std::atomic<bool>> touching_;
 };
 
 } // namespace
 
-std::vector<char> touching_target(const Pile& pile, const Mesh& target, double tolerance) {
-    TargetContact contact(pile, tolerance);
+std::vector<char> touching_target(const PlacedBodies& bodies, const Mesh& target,
+                                  double tolerance) {
+    TargetContact contact(bodies, tolerance);
     parallel_for(target.triangles.size(), 256, [&](std::size_t t) {
         Piece piece;
         for (std::size_t k = 0; k < 3; ++k)

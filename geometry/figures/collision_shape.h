@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/float4.h"
+#include "geometry/figures/figure_pose.h"
 #include "geometry/figures/inscribed_disks.h"
-#include "geometry/figures/pose.h"
 #include "geometry/plane/region.h"
 
 #include <array>
@@ -17,7 +17,7 @@ struct EdgeChunk {
     Float4 half;                      // of its length
     Float4 from_y, to_y;              // its ends, the same bits as its neighbours'
     float centre_x, centre_y, radius; // of a disk around all four
-    int count;                        // the rest are points at the last edge's end
+    int count;                        // of edges; the others are points at the last edge's end
 };
 
 /// A region prepared for overlap tests; its frame has the centre of the region's bounding box as
@@ -31,13 +31,15 @@ class CollisionShape {
     double inner_radius() const { return inner_radius_; } // of the largest inscribed disk [m]
     double area() const { return area_; }                 // [m^2]
     const Region& outline() const { return outline_; }    // rings only, centred, exact
-    /// One vertex of every outer ring: where they are decides what holds what, once no edges cross.
+    /// One vertex of every outer ring: of shapes whose edges do not cross, these tell whether one
+    /// contains the other.
     const std::vector<Vec2>& outer_vertices() const { return outer_vertices_; }
 
     const std::vector<Disk>& disks() const { return disks_; }
     const std::vector<EdgeChunk>& chunks() const { return chunks_; }
 
-    /// The disks again in float, in fours and one by one; those that fill up lie at infinity.
+    /// The disks in float, in fours and one by one; the last four are filled up with disks at
+    /// infinity.
     struct DiskChunk {
         Float4 x, y, radius;
     };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/figures/convex_cover.h"
 
+#include "geometry/plane/convex_hull.h"
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -67,8 +69,8 @@ Ring without_straight_corners(const Ring& ring) {
     return result;
 }
 
-/// A cut through a corner leaves points that rounding alone tells apart, and edges that have no
-/// direction.
+/// Removes the points that a cut through a corner leaves, which differ by rounding only and whose
+/// edges have no meaningful direction.
 Ring without_near_points(const Ring& ring, double distance) {
     Ring result;
     for (const Vec2& v : ring)
@@ -139,27 +141,8 @@ Ring cut_off(const Ring& around, const Ring& seed, const Segment& s, double tole
     return best_area < 0 ? seed : best;
 }
 
-/// Andrew's monotone chain.
-Ring convex_hull(Ring points) {
-    std::sort(points.begin(), points.end(),
-              [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-    Ring hull;
-    for (int pass = 0; pass < 2; ++pass) {
-        const std::size_t first = hull.size();
-        for (const Vec2& p : points) {
-            while (hull.size() >= first + 2 &&
-                   cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
-                hull.pop_back();
-            hull.push_back(p);
-        }
-        hull.pop_back();
-        std::reverse(points.begin(), points.end());
-    }
-    return hull;
-}
-
-/// Joins parts two by two into their convex hull, the largest first, where that stays in the
-/// region: two tips of a star, and what is between them.
+/// Joins pairs of parts into their convex hull, the largest first, where that lies in the region:
+/// two tips of a star, say, with the area between them.
 std::vector<Ring> joined(std::vector<Ring> parts, const std::vector<Segment>& outline,
                          double tolerance) {
     struct Pair {
@@ -274,7 +257,7 @@ std::vector<Ring> convex_cover(const Region& region) {
 }
 
 Ring simplify_inward(const Ring& convex, double tolerance) {
-    // Greedily the longest chord that keeps what it cuts off within the tolerance.
+    // Greedily the longest chord that cuts off no point farther than the tolerance from it.
     const std::size_t n = convex.size();
     Ring result;
     for (std::size_t i = 0; i < n;) {

@@ -90,7 +90,8 @@ Vec2 DomainTest::nearest_image(const Vec2& offset) const {
             offset.y - std::round(offset.y / period_.y) * period_.y};
 }
 
-bool DomainTest::accepts(const CollisionShape& shape, const Pose& pose, double clearance) const {
+bool DomainTest::accepts(const CollisionShape& shape, const FigurePose& pose,
+                         double clearance) const {
     if (is_torus())
         return true;
     if (inside_ == Inside::centre)

@@ -22,15 +22,16 @@ class DomainTest {
     DomainTest(std::shared_ptr<const Region> domain, Inside inside);
 
     /// Whether the element lies in the domain and, when whole, at least `clearance` [m] from its
-    /// border. In double, with a tolerance of 1e-12 of the domain's size: in doubt, no.
-    bool accepts(const CollisionShape& shape, const Pose& pose, double clearance = 0) const;
+    /// border. In double, with a tolerance of 1e-12 of the domain's size; within it the answer is
+    /// no.
+    bool accepts(const CollisionShape& shape, const FigurePose& pose, double clearance = 0) const;
 
     bool contains_point(const Vec2& point) const;
 
     bool is_torus() const { return inside_ == Inside::torus; }
 
-    /// Of a torus: the point's image in the box; the shortest of a vector's images. Both are what
-    /// they were on a plane.
+    /// On a torus the image of the point in the box, and the shortest image of the vector; on a
+    /// plane the arguments themselves.
     Vec2 wrapped(const Vec2& point) const;
     Vec2 nearest_image(const Vec2& offset) const;
 

@@ -10,7 +10,7 @@ namespace scree {
 
 namespace {
 
-/// What a trial draws before it has a place.
+/// The random numbers of a trial, apart from its position.
 struct Draw {
     double choice = 0; // uniform in [0, 1)
     double turn = 0;   // [rad]
@@ -26,7 +26,7 @@ Draw draw(const LayoutProblem& problem, Random& random) {
     return result;
 }
 
-/// Among the components that may lie there; nobody where there are none.
+/// Selects among the components that may lie there; `nobody` where there are none.
 std::optional<std::uint32_t> choose_component(const LayoutProblem& problem, std::uint64_t trial,
                                               double choice, const Vec2& position) {
     const auto count = static_cast<std::uint32_t>(problem.shapes.size());
@@ -130,7 +130,7 @@ Dart LayoutProblem::dart(std::uint32_t component, const Vec2& position, double t
     const double factor = fields.scale ? fields.scale->at(position) : 1;
     const double density = fields.density ? fields.density->at(position) : 1;
     const double margin = margins.empty() ? 0 : margins[component] * size * factor * density;
-    return {component, Pose(position, direction + turn, size * factor), margin};
+    return {component, FigurePose(position, direction + turn, size * factor), margin};
 }
 
 double LayoutProblem::clearance() const {
@@ -173,7 +173,7 @@ void check_fits(const LayoutProblem& problem, std::size_t component, const std::
     bool fits = false;
     for (int i = 0; i <= steps && !fits; ++i) {
         const double angle = problem.rotation.low + step * i;
-        // The extent of the turned shape along x is its own extent along x turned back.
+        // The extent of the turned shape along x is that of the unturned shape along x turned back.
         const double width = width_along(shape.outline(), rotate({1, 0}, -angle)) * scale;
         const double depth = width_along(shape.outline(), rotate({0, 1}, -angle)) * scale;
         fits = width <= domain_size.x + slack && depth <= domain_size.y + slack;

@@ -17,8 +17,8 @@ enum class Selection {
 /// One trial: which component, how turned and scaled, and where.
 struct Dart {
     std::uint32_t component = 0;
-    Pose pose;
-    double margin = 0; // kept free all round, beside what the shape itself holds [m]
+    FigurePose pose;
+    double margin = 0; // kept free all round, in addition to the shape [m]
 };
 
 /// How elements change from place to place; what is null changes nothing.
@@ -43,8 +43,8 @@ struct LayoutProblem {
     std::uint64_t seed = 0;
     std::size_t max_count = std::numeric_limits<std::size_t>::max();
 
-    /// What elements keep from each other and from the domain's border so that they are apart even
-    /// where positions are float, as in an instance's matrix [m].
+    /// Distance of elements from each other and from the domain's border [m], which keeps them
+    /// apart even when their positions are rounded to float, as in an instance's matrix.
     double clearance() const;
 
     /// Of all circumscribed circles at the largest and smallest scale anywhere, margins not
@@ -68,15 +68,15 @@ struct LayoutProblem {
     Dart dart(std::uint32_t component, const Vec2& position, double turn, double scale) const;
 };
 
-/// The trial of this number, with its position drawn uniformly from the domain: a pure function of
-/// the seed and the number. Nothing where the classes allow no component.
+/// The trial of this number, with a position drawn uniformly from the domain: a pure function of
+/// the seed and the number. None where the classes allow no component.
 std::optional<Dart> throw_dart(const LayoutProblem& problem, std::uint64_t trial);
 
 /// The same component, angle and scale as `throw_dart`, but at a given place.
 std::optional<Dart> throw_dart_at(const LayoutProblem& problem, std::uint64_t trial,
                                   const Vec2& position);
 
-/// A trial with the numbers of this stream.
+/// The same, with random numbers from this stream.
 std::optional<Dart> throw_dart_at(const LayoutProblem& problem, std::uint64_t trial,
                                   const Vec2& position, Random& random);
 

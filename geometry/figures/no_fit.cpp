@@ -12,7 +12,7 @@ constexpr float never_near = 1e30F; // the offset of a half-plane that holds eve
 
 } // namespace
 
-ConvexPiece::ConvexPiece(const Ring& ring, double corner) : vertices(ring) {
+NoFitPiece::NoFitPiece(const Ring& ring, double corner) : vertices(ring) {
     const Box2 box = bounds({.rings = {ring}, .vertices = {}, .triangles = {}});
     centre = box.center();
     for (const Vec2& v : ring)
@@ -24,13 +24,13 @@ ConvexPiece::ConvexPiece(const Ring& ring, double corner) : vertices(ring) {
         return Vec2(along.y, -along.x).normalized();
     };
     for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 own = normal(i), next = normal(i + 1);
-        normals.push_back(own);
-        offsets.push_back(own.dot(ring[i]));
-        const double gap = std::atan2(cross(own, next), own.dot(next));
+        const Vec2 here = normal(i), next = normal(i + 1);
+        normals.push_back(here);
+        offsets.push_back(here.dot(ring[i]));
+        const double gap = std::atan2(cross(here, next), here.dot(next));
         const int steps = static_cast<int>(std::ceil(gap / corner - 1e-6));
         for (int k = 1; k < steps; ++k) {
-            normals.push_back(rotate(own, gap * k / steps));
+            normals.push_back(rotate(here, gap * k / steps));
             offsets.push_back(normals.back().dot(ring[(i + 1) % n]));
         }
         widest = std::max(widest, gap / std::max(1, steps));
@@ -38,7 +38,7 @@ ConvexPiece::ConvexPiece(const Ring& ring, double corner) : vertices(ring) {
     corner_cosine = std::cos(widest / 2);
 }
 
-bool ConvexPiece::is_near(const Vec2& point, double distance) const {
+bool NoFitPiece::is_near(const Vec2& point, double distance) const {
     for (std::size_t i = 0; i < normals.size(); ++i)
         if (normals[i].dot(point) > offsets[i] + distance)
             return false;
@@ -53,7 +53,7 @@ void PiecePool::clear() {
     vertices_.clear();
 }
 
-void PiecePool::add(const ConvexPiece& piece, double cosine, double sine, double scale,
+void PiecePool::add(const NoFitPiece& piece, double cosine, double sine, double scale,
                     const Vec2& position) {
     const auto turn = [&](const Vec2& v) {
         return Vec2(cosine * v.x - sine * v.y, sine * v.x + cosine * v.y);
@@ -93,9 +93,9 @@ NoFit no_fit(const PiecePool& moving, const PiecePool::Piece& a, const TurnInter
     result.clear();
     bool is_here = true;
     const Vec2f centre = box.center(), half = box.size() * 0.5F;
-    // Across the fixed piece's edges: the moving piece reaches at least as far towards the edge as
-    // that of its vertices which is surest to. A vertex that stands at distance m along the inward
-    // normal and t across it stands, turned by p, at m cos(p) - t sin(p).
+    // Across the fixed piece's edges: the moving piece reaches towards the edge at least as far as
+    // any one of its vertices does at every angle; the best vertex counts. A vertex at distance m
+    // along the inward normal and t across it is, turned by p, at m cos(p) - t sin(p).
     const Vec2f* const va = moving.vertices(a);
     for (std::uint32_t q = 0; q < b.quads; ++q) {
         const Float4 nx = fixed.normal_x(b)[q], ny = fixed.normal_y(b)[q];
@@ -118,11 +118,11 @@ NoFit no_fit(const PiecePool& moving, const PiecePool::Piece& a, const TurnInter
         result.normal_y.push_back(ny);
         result.offset.push_back(offset + reach + clearance);
     }
-    // Across the moving piece's edges, whose normals turn: one vertex w of the fixed piece must lie
-    // within at every angle. With y = x - w, -n(p) . y <= h at both ends of the interval with
-    // h cos(half) in place of h implies it between them, where n(p) is a combination of the two
-    // with coefficients that add up to at most 1 / cos(half), and to at least 1. The best w is that
-    // for which both hold farthest at the middle of the box.
+    // Across the moving piece's edges, whose normals turn: one vertex w of the fixed piece must be
+    // inside the edge at every angle. With y = x - w, -n(p) . y <= h at both ends of the interval
+    // with h cos(half) in place of h implies it between them, where n(p) is a combination of the
+    // two with coefficients that add up to at most 1 / cos(half), and to at least 1. The best w is
+    // that for which both hold farthest at the middle of the box.
     const Vec2f* const vb = fixed.vertices(b);
     const float swing = turn.sine * ((centre - b.centre).length() + b.radius + half.length());
     for (std::uint32_t q = 0; q < a.quads; ++q) {

@@ -14,7 +14,7 @@ namespace scree {
 /// A convex polygon in its shape's frame, as edges' outward normals and offsets. Sharp corners have
 /// further normals, so that moving every edge outwards by some length moves no corner by more than
 /// that length / `corner_cosine`.
-struct ConvexPiece {
+struct NoFitPiece {
     std::vector<Vec2> vertices;
     std::vector<Vec2> normals;
     std::vector<double> offsets; // normal . x <= offset
@@ -23,13 +23,14 @@ struct ConvexPiece {
     double corner_cosine = 1;
 
     /// `corner`: the largest angle between neighbouring normals [rad], at least pi / 2^20.
-    ConvexPiece(const Ring& ring, double corner);
+    NoFitPiece(const Ring& ring, double corner);
 
     /// Whether some point of it may be within `distance` [m] of the point.
     bool is_near(const Vec2& point, double distance) const;
 };
 
-/// Pieces at their place in float, edges in fours; what fills up the last four never matters.
+/// Pieces at their place in float, edges in fours; the last four are filled up with edges that
+/// constrain nothing.
 class PiecePool {
   public:
     struct Piece {
@@ -43,7 +44,7 @@ class PiecePool {
     void clear();
 
     /// Adds the piece turned by the angle of this cosine and sine, scaled, and moved.
-    void add(const ConvexPiece& piece, double cosine, double sine, double scale,
+    void add(const NoFitPiece& piece, double cosine, double sine, double scale,
              const Vec2& position);
 
     std::size_t size() const { return pieces_.size(); }
@@ -59,7 +60,7 @@ class PiecePool {
     std::vector<Vec2f> vertices_;
 };
 
-/// Angles around the one at which a piece stands in its pool, and scales.
+/// An interval of angles around that of a piece in its pool, and one of scales.
 struct TurnInterval {
     float cosine, sine; // of half the width of the interval of angles, less than pi / 2
     float low, high;    // scale
@@ -72,16 +73,17 @@ struct HalfPlanes {
 };
 
 enum class NoFit {
-    never,    // whatever angle and scale of the interval: the polygon never reaches the box
-    not_here, // for the whole interval: this polygon does not
+    never,    // at no angle and scale of the interval does the polygon reach the box
+    not_here, // the polygon for the whole interval does not reach the box
     found
 };
 
 /// Positions of the moving piece, about whose frame's origin it turns and scales, at which it
 /// certainly comes nearer than `clearance` to the fixed piece at every angle and scale of the
-/// interval: a subset of the exact set, that approaches it as the interval shrinks and the corners
-/// are blunt. `moving` holds it at scale 1. Complete only when found; `box` is where it matters,
-/// and `clearance` at most that of any part of the box and interval.
+/// interval: a subset of the exact set that approaches it as the interval shrinks, the more closely
+/// the blunter the corners. `moving` holds the moving piece at scale 1. Only positions in `box`
+/// matter, and `clearance` is at most that of any part of the box and interval. `result` is
+/// complete only when found.
 NoFit no_fit(const PiecePool& moving, const PiecePool::Piece& a, const TurnInterval& turn,
              const PiecePool& fixed, const PiecePool::Piece& b, float clearance,
              float largest_clearance, const Imath::Box2f& box, HalfPlanes& result);

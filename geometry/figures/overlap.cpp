@@ -21,7 +21,7 @@ struct Motion {
     }
 };
 
-Motion motion(const Pose& a, const Pose& b, const Vec2& a_from_b) {
+Motion motion(const FigurePose& a, const FigurePose& b, const Vec2& a_from_b) {
     const double scale = a.scale / b.scale;
     const double cosine = a.cosine * b.cosine + a.sine * b.sine;
     const double sine = a.sine * b.cosine - a.cosine * b.sine;
@@ -168,8 +168,8 @@ bool holds(const CollisionShape& shape, const Vec2& point) {
 
 } // namespace
 
-bool overlap(const CollisionShape& a, const Pose& pose_a, const CollisionShape& b,
-             const Pose& pose_b, const Vec2& a_from_b, double clearance) {
+bool overlap(const CollisionShape& a, const FigurePose& pose_a, const CollisionShape& b,
+             const FigurePose& pose_b, const Vec2& a_from_b, double clearance) {
     const double reach = a.radius() * pose_a.scale + b.radius() * pose_b.scale + clearance;
     if (a_from_b.length2() > reach * reach * (1 + 1e-9))
         return false;
@@ -180,7 +180,7 @@ bool overlap(const CollisionShape& a, const Pose& pose_a, const CollisionShape& 
     // middle is off by at most 5, its difference to another by 1, a product with a unit vector by
     // 6, the half length times sine or cosine by 4: less than 20 in all, or 2.4e-6 of the reach.
     const auto tolerance = static_cast<float>((4e-6 * reach + clearance) / pose_b.scale);
-    const bool exact = clearance > 1e-3 * reach; // less is hardly seen
+    const bool exact = clearance > 1e-3 * reach; // a smaller excess at corners does not matter
     if (outlines_meet(a, b, b_from_a, tolerance, exact))
         return true;
     for (const Vec2& v : a.outer_vertices()) {

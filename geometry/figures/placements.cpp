@@ -16,8 +16,8 @@ int cell_of(double offset, double cell, int count) {
     return std::clamp(static_cast<int>(std::floor(offset / cell)), 0, count - 1);
 }
 
-/// The cells from `low` to `high` in one direction; on a torus they may lie outside [0, count) and
-/// mean their images, none twice.
+/// The cells from `low` to `high` in one direction. On a torus indices outside of [0, count) stand
+/// for images, and no cell occurs twice.
 struct CellSpan {
     int first, last;
 

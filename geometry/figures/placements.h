@@ -7,8 +7,8 @@
 namespace scree {
 
 /// What has been placed so far, with an index of neighbours: uniform grids, one per octave of
-/// sizes, each cell as wide as the largest element of its octave, so that a query looks at 3 x 3
-/// cells of elements of its own size, at few of larger ones, and never at smaller ones in vain.
+/// sizes, each cell as wide as the largest element of its octave, so that a query visits 3 x 3
+/// cells of elements of about its size and few cells of larger ones.
 class Placements {
   public:
     /// `problem` must outlive this.
@@ -20,14 +20,14 @@ class Placements {
     /// Whether it could be placed; counts pairs tested. Threads may share it.
     bool is_free(const Dart& dart, std::uint64_t& queries) const;
 
-    /// The elements whose circles, margins included, come within `radius` of the point, in no
-    /// certain order; on a torus the nearest image of each. Threads may share it.
+    /// The elements whose circles, margins included, come within `radius` of the point, in an
+    /// unspecified order; on a torus the nearest image of each. Threads may share it.
     void gather(const Vec2& point, double radius, std::vector<std::uint32_t>& elements) const;
 
     /// Whether no element's position is nearer than `distance` [m].
     bool keeps_distance(const Vec2& position, double distance) const;
 
-    /// Without looking.
+    /// Places it without a test.
     void place(const Dart& dart);
 
     std::size_t size() const { return darts_.size(); }

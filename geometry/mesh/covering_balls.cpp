@@ -10,7 +10,7 @@ namespace scree {
 
 std::vector<Ball> covering_balls(std::span<const Ball> balls, std::span<const Vec3> points,
                                  double tolerance, std::size_t most, std::vector<bool>& reached) {
-    // Along the longest way, so that few of them are looked at.
+    // The points are sorted along the longest axis, so that each ball visits few of them.
     Box3 box;
     for (const Vec3& p : points)
         box.extendBy(p);
@@ -30,9 +30,9 @@ std::vector<Ball> covering_balls(std::span<const Ball> balls, std::span<const Ve
             if ((points[*p] - centre).length2() <= far * far)
                 reach[b].push_back(*p);
     });
-    // What a ball adds only shrinks while others are taken, so that an old count
-    // is a bound (lazy greedy, Minoux 1978). Of equal ones the first comes first.
-    using Entry = std::pair<std::size_t, std::size_t>; // what it adds; index from the end
+    // The number of points that a ball adds only shrinks while others are taken, so that an old
+    // number is an upper bound (lazy greedy, Minoux 1978). Of equal balls the first is taken.
+    using Entry = std::pair<std::size_t, std::size_t>; // number of points added; index from the end
     std::priority_queue<Entry> queue;
     for (std::size_t b = 0; b < balls.size(); ++b)
         queue.emplace(reach[b].size(), balls.size() - b);

@@ -10,8 +10,8 @@ namespace scree {
 
 namespace {
 
-// To the nearest triangle, or any distance of `enough` or less where one is as
-// near; that one then comes first, since it is likely to be as near next time.
+// Distance to the nearest triangle; if some triangle is nearer than `enough`, the distance to the
+// first such one, which is then moved to the front, as it is likely to be near again.
 float distance_to(std::vector<DistanceTriangle>& triangles, const Vec3& p, float enough) {
     float least = std::numeric_limits<float>::max();
     for (DistanceTriangle& triangle : triangles) {
@@ -24,8 +24,8 @@ float distance_to(std::vector<DistanceTriangle>& triangles, const Vec3& p, float
     return std::sqrt(least);
 }
 
-// Evenly over the sphere (a Fibonacci lattice), turned a little more every
-// round so that a ridge of the distance is met along itself sooner or later.
+// Directions spread evenly over the sphere (a Fibonacci lattice), turned a little more every round,
+// so that in some round one of them runs along a ridge of the distance.
 Vec3 direction(int i, int count, int round) {
     const double y = 1 - (2 * i + 1.0) / count;
     const double turn = i * pi * (3 - std::sqrt(5.0)) + 0.7 * round;
@@ -34,8 +34,7 @@ Vec3 direction(int i, int count, int round) {
             static_cast<float>(r * std::sin(turn))};
 }
 
-// By the solid angle that the triangles fill seen from p (van Oosterom &
-// Strackee 1983).
+// By the solid angle of the triangles seen from p (van Oosterom & Strackee 1983).
 bool encloses(const Mesh& mesh, const Imath::V3d& p) {
     double angle = 0;
     for (const Mesh::Triangle& t : mesh.triangles) {
@@ -63,8 +62,8 @@ Ball largest_inside(const Mesh& mesh, std::vector<Ball> balls) {
 }
 
 Ball climb_to_largest(const Mesh& mesh, const Ball& start) {
-    // No more than twice the start's radius is ever climbed to, from less than
-    // that away.
+    // The centre moves by at most the start's radius, and the ball's radius grows to at most twice
+    // that: triangles farther away do not matter.
     constexpr float farthest = 4;
     std::vector<DistanceTriangle> near;
     for (const Mesh::Triangle& t : mesh.triangles) {

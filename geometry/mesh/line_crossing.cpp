@@ -9,9 +9,9 @@ namespace {
 
 using Vec3d = Imath::V3d;
 
-// Which side of the line a-b the point is on, seen along z: never 0 but for a = b, and the
-// opposite of that of b-a to the last bit, so that each point above a closed surface is in as many
-// triangles that face up as face down.
+// Which side of the line a-b the point is on, seen along z: 0 only for a = b, and exactly the
+// opposite of the side of b-a, so that each point above a closed surface lies in as many triangles
+// that face up as in triangles that face down.
 int side_of(const Vec3d& a, const Vec3d& b, const Vec2& p) {
     if (b.x < a.x || (b.x == a.x && b.y < a.y))
         return -side_of(b, a, p);

@@ -18,7 +18,7 @@ MeshRays::MeshRays(const Mesh& mesh) : mesh_(&mesh) {
     const double longest = double(box.size()[int(box.majorAxis())]);
     const Vec3d margin(1e-4 * longest);
     box_ = {Vec3d(box.min) - margin, Vec3d(box.max) + margin};
-    // About as many cells in a layer that the surface goes through as there are triangles.
+    // The surface crosses about as many cells as it has triangles.
     const double per_side = std::clamp(std::sqrt(double(mesh.triangles.size()) / 4), 1.0, 256.0);
     for (int axis = 0; axis < 3; ++axis) {
         const double size = box_.size()[axis];

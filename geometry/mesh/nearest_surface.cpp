@@ -67,15 +67,15 @@ void NearestSurface::split(std::uint32_t node, std::uint32_t first, std::uint32_
     split(children + 1, half, end);
 }
 
-NearestSurface::Foot NearestSurface::foot_on(std::uint32_t triangle, const Imath::V3d& p,
-                                             const Vec3& at) const {
+NearestSurface::Point NearestSurface::point_on(std::uint32_t triangle, const Imath::V3d& p,
+                                               const Vec3& at) const {
     const auto [a, b, c] = corners_of(*mesh_, triangle);
     const Imath::V3d position(at);
     const Vec3 facet = (b - a).cross(c - a).normalized();
     return {position, smooth_normal(*mesh_, triangle, position, facet), (p - position).length()};
 }
 
-NearestSurface::Foot NearestSurface::nearest(const Imath::V3d& p) const {
+NearestSurface::Point NearestSurface::nearest(const Imath::V3d& p) const {
     const Vec3 from(p);
     struct Open {
         std::uint32_t node;
@@ -109,7 +109,7 @@ NearestSurface::Foot NearestSurface::nearest(const Imath::V3d& p) const {
         open[count++] = far;
         open[count++] = near;
     }
-    return foot_on(triangle, p, at);
+    return point_on(triangle, p, at);
 }
 
 } // namespace scree

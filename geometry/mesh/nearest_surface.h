@@ -12,7 +12,7 @@ namespace scree {
 class NearestSurface {
   public:
     /// Where the surface is nearest to a point.
-    struct Foot {
+    struct Point {
         Imath::V3d position;
         Vec3 normal;     // of the surface there, interpolated where the mesh has normals
         double distance; // [m]
@@ -21,7 +21,7 @@ class NearestSurface {
     /// `mesh` has triangles and must outlive this.
     explicit NearestSurface(const Mesh& mesh);
 
-    Foot nearest(const Imath::V3d& p) const;
+    Point nearest(const Imath::V3d& p) const;
 
   private:
     struct Node {
@@ -31,7 +31,7 @@ class NearestSurface {
     };
 
     void split(std::uint32_t node, std::uint32_t first, std::uint32_t end);
-    Foot foot_on(std::uint32_t triangle, const Imath::V3d& p, const Vec3& at) const;
+    Point point_on(std::uint32_t triangle, const Imath::V3d& p, const Vec3& at) const;
 
     const Mesh* mesh_;
     std::vector<std::uint32_t> order_; // of the triangles in the leaves

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces inside of a solid, all of one depth each.
+// Surfaces inside of a solid, each at a constant depth.
 #pragma once
 
 #include "geometry/mesh/signed_distance_grid.h"
 
 namespace scree {
 
-/// Where the distance is `level` [m], less than at the grid's border: the six tetrahedra of each
-/// cube of samples (Kuhn 1960) cut by a plane each. Closed, what lies below the level inside;
-/// empty where no sample does.
+/// The surface where the distance is `level` [m], which is less than at the grid's border: a plane
+/// cuts each of the six tetrahedra of each cube of samples (Kuhn 1960). It is closed, with
+/// distances below the level inside; empty where no sample is below.
 Mesh level_surface(const SignedDistanceGrid& distance, double level);
 
 /// A surface inside of a solid.

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int32_t none = -1;
 constexpr float unknown = 1e18F; // its square is finite
 
-// Samples all round the mesh, the outermost outside of it.
+// Samples all around the mesh, the outermost of which lie outside of it.
 VoxelGrid grid_round(const Mesh& mesh, double step, double thickness, std::size_t most,
                      double margin) {
     const Box3 box = bounds(mesh);
@@ -31,11 +31,11 @@ VoxelGrid grid_round(const Mesh& mesh, double step, double thickness, std::size_
     return grid;
 }
 
-/// The nearest triangle of every sample: exact next to the surface, from there handed on from
-/// sample to neighbour, the nearest first (the vector distance transform of Danielsson 1980 in
-/// Dijkstra's order, with triangles for points). What is handed on past a sample that another
-/// triangle is nearer to gets lost: rarely more than a tenth of a step, where triangles are as
-/// small as that.
+/// The nearest triangle of every sample: exact next to the surface, and from there propagated from
+/// sample to neighbour in the order of distance (the vector distance transform of Danielsson 1980
+/// in Dijkstra's order, with triangles in place of points). A triangle is not propagated through a
+/// sample that another one is nearer to: the resulting error rarely exceeds a tenth of a step, and
+/// only where triangles are that small.
 class NearestTriangles {
   public:
     NearestTriangles(const Mesh& mesh, const VoxelGrid& grid)
@@ -68,7 +68,8 @@ class NearestTriangles {
         return hull;
     }
 
-    // Whether it is nearer. Most are told to be too far by the ball round them.
+    // Takes the triangle if it is nearer than the sample's nearest so far; returns whether it is.
+    // Its bounding ball rules out most triangles.
     bool try_triangle(std::size_t at, const Vec3& p, std::int32_t t) {
         const Ball& hull = hulls_[static_cast<std::size_t>(t)];
         const float far = distance_[at] + hull.radius;
@@ -143,12 +144,12 @@ class NearestTriangles {
         std::array<int, 3> cell{static_cast<int>(in_layer - j * row), static_cast<int>(j),
                                 static_cast<int>(k)};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const int own = cell[axis];
-            if ((cell[axis] = own - 1) >= 0)
+            const int middle = cell[axis];
+            if ((cell[axis] = middle - 1) >= 0)
                 found(at - stride_[axis], cell);
-            if ((cell[axis] = own + 1) < grid_.count[axis])
+            if ((cell[axis] = middle + 1) < grid_.count[axis])
                 found(at + stride_[axis], cell);
-            cell[axis] = own;
+            cell[axis] = middle;
         }
     }
 

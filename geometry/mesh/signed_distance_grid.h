@@ -68,7 +68,8 @@ inline float SignedDistanceGrid::at(const Vec3& p) const {
     const float beyond2 = (g - c).length2();
     if (beyond2 == 0)
         return inside;
-    // The mesh lies in the grid's box, so that the way to it turns by a right angle or more.
+    // The mesh lies in the grid's box: the way to the box and the way on make a right or obtuse
+    // angle.
     const auto step = static_cast<float>(grid_.side);
     return std::sqrt(beyond2 * step * step + inside * inside);
 }

@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// A triangle made ready for many distances.
+/// A triangle prepared for many distances and nearest points.
 class DistanceTriangle {
   public:
     explicit DistanceTriangle(const std::array<Vec3, 3>& corners)

@@ -29,7 +29,7 @@ void nearest_rows(int x, int width, int height, const std::vector<bool>& covered
             (best == nowhere || around(y - row, height) < around(y - best, height)))
             best = row;
     };
-    // Twice round each way: what lies behind the first row comes with the second round.
+    // Two passes in each direction: the second one knows what lies across the border.
     std::int32_t last = nowhere;
     for (int i = 0; i < 2 * height; ++i) {
         const int y = i % height;

@@ -249,8 +249,9 @@ TexelPlace UvRaster::place(std::size_t texel) const {
     const Vec2 nearest = holds(p, centre) ? centre : nearest_on_border(centre, p);
     const Vec3d share = barycentric(p, nearest);
     out.barycentric = Vec3(share);
-    // The plane goes on, so that a bilinear look-up at the edge meets the edge's own value; but no
-    // farther than the triangle is long, which a sliver's would.
+    // The triangle's plane is continued beyond its edges, so that a bilinear look-up at an edge
+    // gives the value of the edge; but not farther than the triangle is long, as a sliver's would
+    // be.
     const Vec2 beyond = centre - nearest;
     Vec3d shift = right * beyond.x + down * beyond.y;
     const double longest = std::max({(b - a).length(), (c - b).length(), (a - c).length()});

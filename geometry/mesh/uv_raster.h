@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which place of a mesh every texel of a texture over its UVs shows.
+// The place on a mesh that each texel of a texture over its UVs shows.
 #pragma once
 
 #include "geometry/mesh/mesh.h"
@@ -15,7 +15,7 @@ struct TexelPlace {
     std::uint32_t triangle = 0;
     Vec3 barycentric{0.0F, 0.0F,
                      0.0F};          // of the point of the triangle nearest to the texel's centre
-    Vec3 position{0.0F, 0.0F, 0.0F}; // of its centre; beyond an edge the triangle's plane goes on
+    Vec3 position{0.0F, 0.0F, 0.0F}; // of its centre; beyond an edge in the triangle's plane
     Vec2f uv{0.0F, 0.0F};            // of its centre, in the mesh's own UVs
     // What the texel covers of the surface: its axes [m], at right angles, as in ShadingPoint.
     Vec3 across{0.0F, 0.0F, 0.0F};

@@ -31,8 +31,8 @@ struct VoxelGrid {
 VoxelGrid voxel_grid(const Mesh& mesh, int longest);
 
 /// 1 for the voxels whose centre is inside a closed mesh, 0 for the others: where the surface
-/// winds round the centre, so parts may overlap and either side may be the front. What lies exactly
-/// on an edge is decided the same way for all its triangles.
+/// winds round the centre, so parts may overlap and either side may be the front. Centres exactly
+/// on an edge are treated the same way for all its triangles.
 std::vector<std::uint8_t> voxels_inside(const Mesh& mesh, const VoxelGrid& grid);
 
 } // namespace scree

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/plane/convex_hull.h"
 
+#include "geometry/plane/region.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -10,7 +12,7 @@ namespace {
 
 bool lower(const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
-// Adds a chain's points, of which none may turn right or go straight on.
+// Adds the points of a lower or upper chain, on which every corner turns left.
 template <class Iterator>
 void add_chain(Iterator from, Iterator to, std::vector<Vec2>& hull) {
     const std::size_t start = hull.size();
@@ -20,14 +22,7 @@ void add_chain(Iterator from, Iterator to, std::vector<Vec2>& hull) {
             hull.pop_back();
         hull.push_back(*from);
     }
-    hull.pop_back(); // where the other chain begins
-}
-
-double distance_to_side(const Vec2& p, const Vec2& a, const Vec2& b) {
-    const Vec2 along = b - a;
-    const double length2 = along.length2();
-    const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-    return (p - a - along * t).length();
+    hull.pop_back(); // the other chain begins with it
 }
 
 } // namespace
@@ -51,7 +46,7 @@ bool in_convex_hull(const Vec2& point, std::vector<Vec2> points, double toleranc
         const Vec2& a = hull[k];
         const Vec2& b = hull[(k + 1) % hull.size()];
         inside = inside && cross(b - a, point - a) >= 0;
-        distance = std::min(distance, distance_to_side(point, a, b));
+        distance = std::min(distance, segment_distance(point, a, b));
     }
     return inside || distance <= tolerance;
 }

@@ -37,8 +37,8 @@ void keep_left(ConvexPiece& piece, const Vec2& point, const Vec2& direction) {
 }
 
 std::array<ConvexPiece, 2> halves(const ConvexPiece& piece) {
-    // Where corners run out along a diagonal, so that they become fewer. Not earlier: it may leave
-    // one half as large as the piece.
+    // A piece of almost as many corners as it can hold is split along a diagonal, which gives each
+    // half fewer corners. Other pieces are not: one half may be as large as the piece.
     if (piece.count >= ConvexPiece::capacity - 1) {
         const int middle = piece.count / 2;
         std::array<ConvexPiece, 2> result;

@@ -23,7 +23,7 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 /// Of a face: which part of the plane it belongs to.
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<
     Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
-/// The one that remembers whole edges: their crossings do not depend on earlier crossings.
+/// This kind keeps the original edges, so that crossings do not depend on earlier crossings.
 using Triangulation =
     CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<
         Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
@@ -37,7 +37,7 @@ using HalfEdge = Triangulation::Edge;
 /// Relative to the longest side: all points lie on a grid of this step, so that what rounding
 /// would make cross or nearly touch coincides instead.
 constexpr double grid_share = 0x1p-30;
-/// By how much parts that touch in a point are parted, and how large a part must be to stay.
+/// The distance by which parts that touch in a point are separated, and the least size of a part.
 constexpr double detail_share = 1e-5;
 
 struct ExactShape {
@@ -254,8 +254,8 @@ Region fill(std::vector<FilledRings> shapes) {
     const double longest = longest_side(shapes);
     if (!(longest > 0) || !std::isfinite(longest))
         throw Error("the outline encloses no area");
-    // Points where edges cross are rounded, which may make edges cross or touch anew: then what
-    // came out is filled again. Once is usual, a third time was never seen.
+    // Points where edges cross are rounded, after which edges may cross or touch again: then the
+    // result is filled again. One pass is usual; a third was never needed in tests.
     constexpr int most_rounds = 8;
     for (int round = 1;; ++round) {
         std::vector<Ring> rings = Arrangement(shapes, longest).rings();

@@ -19,7 +19,7 @@ struct HeightField {
     Image image;          // {"Y"} or {"R", "G", "B"} [m]
     Vec2 size{1.0, 1.0};  // of the whole image along u and v [m]
     double mid_level = 0; // the value that leaves the surface where it is [m]
-    bool tiles = true;    // repeats seamlessly; otherwise its border pixels go on for ever
+    bool tiles = true;    // repeats seamlessly; otherwise its border pixels extend beyond it
 
     bool is_vector() const { return image.channels.size() == 3; }
 

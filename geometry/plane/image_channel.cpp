@@ -32,8 +32,8 @@ std::vector<std::size_t> sources(const Image& image, const std::string& channel)
             return {*grey};
     } else {
         const std::string name(1, static_cast<char>(channel.front() - 'a' + 'A'));
-        if (const auto own = index_of(image, name))
-            return {*own};
+        if (const auto named = index_of(image, name))
+            return {*named};
         if (grey && name != "A")
             return {*grey};
     }

@@ -22,8 +22,8 @@ struct PixelGrid {
 /// Rings around less than `min_area` square pixels are left out.
 std::vector<Ring> image_outlines(const PixelGrid& pixels, float threshold, double min_area);
 
-/// Removes points of rings as long as all that were removed stay within `tolerance` of the edge
-/// that replaces them, those that move it least first. Simple rings that do not touch stay so.
+/// Removes points of rings as long as all removed points stay within `tolerance` of the edge that
+/// replaces them, starting with those that move it least. Simple rings that do not touch stay so.
 void simplify_within(std::vector<Ring>& rings, double tolerance);
 
 } // namespace scree

@@ -48,7 +48,7 @@ std::vector<PolygonWithHoles> parts_of(const std::vector<Ring>& rings) {
     std::vector<Polygon> outer, holes;
     for (const Ring& ring : rings)
         (signed_area(ring) > 0 ? outer : holes).push_back(polygon_of(ring, signed_area(ring) < 0));
-    // Parts inside holes make plain union and difference wrong; even-odd is right.
+    // By the even-odd rule, since parts may lie inside of holes of others.
     for (const Polygon& polygon : outer)
         set.symmetric_difference(polygon);
     for (const Polygon& polygon : holes)

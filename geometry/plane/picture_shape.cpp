@@ -16,10 +16,10 @@ namespace scree {
 namespace {
 
 constexpr float opaque = 0.5F;
-constexpr double least_area = 4;             // [square pixels], as region.image has it unless told
+constexpr double least_area = 4;             // [square pixels], the default of region.image
 constexpr std::size_t most_points = 500'000; // some seconds to triangulate
 
-// Finer than half a pixel is noise; a thousandth of a large picture is more than eyes resolve.
+// Detail finer than half a pixel is noise, and a thousandth of a large picture is not visible.
 double tolerance(const Image& image) {
     return std::max(0.5, 0.001 * std::max(image.width, image.height));
 }

@@ -11,8 +11,8 @@ namespace scree {
 
 /// A triangulated polygon with holes, possibly of several parts: the exclusive region of a
 /// component, or the domain of a layout. Outer rings turn counter-clockwise, holes clockwise, so
-/// that a point is inside where the winding number is 1. Built by `triangulate` of
-/// generators/sampling, which also checks it; plain data here.
+/// that a point is inside where the winding number is 1. Plain data: `triangulate` makes and checks
+/// it.
 struct Region {
     std::vector<Ring> rings;
     std::vector<Vec2> vertices;                          // of the triangulation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outlines of simple regions, centred by their own definition, counter-clockwise.
+// Outlines of simple regions around their centres, counter-clockwise.
 #pragma once
 
 #include "geometry/plane/region.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making regions: all of them end in `triangulate`, which checks what it is given.
+// Making regions: all of these use `triangulate`, which checks its rings.
 #pragma once
 
 #include "geometry/mesh/mesh.h"
@@ -8,9 +8,9 @@
 namespace scree {
 
 /// Triangulates the area between the rings (constrained Delaunay), given in any order and
-/// direction and nested as even-odd says: a ring in a ring is a hole, a ring in a hole a part of
-/// its own. Repeated points are dropped. Throws Error for a ring of fewer than three points, a
-/// number that is not finite, and edges that cross, touch or fold back, naming ring and edge.
+/// direction, by the even-odd rule: a ring in a ring is a hole, a ring in a hole another part.
+/// Repeated points are dropped. Throws Error for a ring of fewer than three points, a number that
+/// is not finite, and edges that cross, touch or fold back, naming ring and edge.
 Region triangulate(std::vector<Ring> rings);
 
 /// What is inside an outline that crosses itself: where the winding number is not 0, or is odd.

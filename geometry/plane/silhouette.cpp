@@ -150,8 +150,8 @@ Box2 projected_bounds(const Mesh& mesh) {
 Region silhouette(const Mesh& mesh, const SilhouetteDetail& detail) {
     const Box2 box = projected_bounds(mesh);
     const double longest = std::max(box.size().x, box.size().y);
-    // The raster reaches past the box by a little that swallows all rounding, but a flat side of
-    // the mesh along an axis costs no whole cell.
+    // The raster extends beyond the box by a little more than all rounding, so that a flat side of
+    // the mesh along an axis does not add a whole cell.
     const double reach = 1e-7 * longest;
     const double target = longest / detail.cells;
     const Vec2 extent = box.size() + Vec2(2 * reach);
@@ -177,7 +177,7 @@ Region silhouette(const Mesh& mesh, const SilhouetteDetail& detail) {
         for (Vec2& v : ring)
             v = origin + v * cell;
     const double tolerance = detail.tolerance * longest;
-    // A hole that one could not see at this tolerance costs collision tests and holds nothing.
+    // A hole smaller than this tolerance slows down collision tests, and no element fits in it.
     Region filled;
     std::erase_if(rings, [&](const Ring& ring) {
         const double signed_size = signed_area(ring);

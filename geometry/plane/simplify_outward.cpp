@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
 
-/// The rings as one pool of linked vertices, and a queue of the steps that move an edge least.
-/// Step "cut": a vertex that turns right, or not at all, goes; its two edges become one. Step
-/// "meet": an edge between two vertices that turn left goes; its neighbours are prolonged until
-/// they meet. Both only add area on the left.
+/// The rings as one pool of linked vertices, and a queue of steps, those that move an edge least
+/// first. Step "cut" removes a vertex that turns right, or not at all; its two edges become one.
+/// Step "meet" removes an edge between two vertices that turn left; its neighbours are prolonged
+/// until they meet. Both only add area on the left.
 class Simplifier {
   public:
     Simplifier(const std::vector<Ring>& rings, double tolerance) : tolerance_(tolerance) {
@@ -66,7 +66,7 @@ class Simplifier {
         Vec2 position;
         std::uint32_t previous;
         std::uint32_t next;
-        double moved; // how far the edge to `next` may already be from where it was [m]
+        double moved; // bound of how far the edge to `next` has moved from where it was [m]
         std::uint32_t version;
         bool alive;
     };
@@ -101,7 +101,7 @@ class Simplifier {
         return denominator != 0 && s > 0 && t > 0 && std::isfinite(p.x) && std::isfinite(p.y);
     }
 
-    /// Queues what can be done at v as it is now.
+    /// Queues the steps that are possible at v now.
     void consider(std::uint32_t v) {
         const Vertex& b = vertices_[v];
         const Vertex& a = vertices_[b.previous];
@@ -187,7 +187,7 @@ class Simplifier {
         --sizes_[ring_of_[v]];
     }
 
-    /// The steps around v have changed.
+    /// Queues the steps around v anew after a change.
     void touch(std::uint32_t v) {
         v = vertices_[vertices_[v].previous].previous;
         for (int i = 0; i < 5; ++i, v = vertices_[v].next) {

@@ -113,7 +113,7 @@ class Simplifier {
         return length > 0 ? length / double(count) : 1;
     }
 
-    /// Queues the removal of v with how far it would put any point off.
+    /// Queues the removal of v with the distance by which it would move any point.
     void consider(std::uint32_t v) {
         const Link& link = links_[v];
         const Vec2& a = points_[link.previous];
@@ -129,8 +129,8 @@ class Simplifier {
             queue_.emplace(moved, v, link.version);
     }
 
-    /// Whether the triangle that goes with v is empty of other vertices, and a little around it:
-    /// then the edge that replaces v crosses and touches nothing.
+    /// Whether no other vertex lies in or very near the triangle that is cut off with v: then the
+    /// edge that replaces v neither crosses nor touches another.
     bool is_free(std::uint32_t v) const {
         const Link& link = links_[v];
         const std::uint32_t p = link.previous, n = link.next;

@@ -63,8 +63,8 @@ bool DiskCover::is_free(const PlacedDisk& disk, std::span<const NearDisk> near,
     return true;
 }
 
-// Of what all samples in the part would keep away.
-QuadraticForm DiskCover::own_form(const DiskPart& part) const {
+// An ellipse within those of all samples that may lie in the part.
+QuadraticForm DiskCover::form_of_all(const DiskPart& part) const {
     if (!constant_.empty())
         return constant_[part.disk_class];
     DiskMetric::Bounds all = part.bounds;
@@ -80,10 +80,10 @@ QuadraticForm DiskCover::own_form(const DiskPart& part) const {
 bool DiskCover::cut(DiskPart& part, std::span<const NearDisk> near,
                     std::span<const PlacedDisk> placed) const {
     const std::uint32_t k = part.disk_class;
-    const QuadraticForm own = own_form(part);
-    const double own_steepest = symmetric_ ? 0 : own.steepest();
+    const QuadraticForm form = form_of_all(part);
+    const double steepest = symmetric_ ? 0 : form.steepest();
     const BoundingCircle circle = bounding_circle(part.piece);
-    // The ellipses whose borders may cross the piece; first all are asked whether one covers it.
+    // The ellipses whose borders may cross the piece, cut away only if none covers all of it.
     struct Crossing {
         Vec2 centre;
         const QuadraticForm* form;
@@ -91,18 +91,18 @@ bool DiskCover::cut(DiskPart& part, std::span<const NearDisk> near,
     };
     std::array<Crossing, 64> crossings;
     std::size_t count = 0;
-    const auto covers = [&](const Vec2& centre, const QuadraticForm& form, double steepest,
+    const auto covers = [&](const Vec2& centre, const QuadraticForm& ellipse, double slope,
                             double limit, double root) {
         // The form's root changes by no more than this from the circle's middle to its border.
-        const double change = circle.radius * steepest;
-        const double here = form.at(centre - circle.centre);
+        const double change = circle.radius * slope;
+        const double here = ellipse.at(centre - circle.centre);
         if (here > (root + change) * (root + change))
             return false;
         const double within = root * (1 - doubt_) - change;
         if (within > 0 && here < within * within)
             return true;
         if (count < crossings.size())
-            crossings[count++] = {centre, &form, limit * (1 - doubt_)};
+            crossings[count++] = {centre, &ellipse, limit * (1 - doubt_)};
         return false;
     };
     for (const NearDisk& n : near) {
@@ -111,7 +111,7 @@ bool DiskCover::cut(DiskPart& part, std::span<const NearDisk> near,
         if (covers(n.position, other.form, other.steepest, metric_.limit(o, k),
                    metric_.limit_root(o, k)) ||
             (!symmetric_ &&
-             covers(n.position, own, own_steepest, metric_.limit(k, o), metric_.limit_root(k, o))))
+             covers(n.position, form, steepest, metric_.limit(k, o), metric_.limit_root(k, o))))
             return false;
     }
     for (std::size_t i = 0; i < count; ++i) {

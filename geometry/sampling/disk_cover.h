@@ -8,7 +8,7 @@
 
 namespace scree {
 
-/// A sample that was placed, and what is needed of its ellipse.
+/// A placed sample with the properties of its ellipse that tests need.
 struct PlacedDisk {
     DiskSample sample;
     QuadraticForm form;
@@ -16,26 +16,27 @@ struct PlacedDisk {
     double steepest = 0; // inverse of the shortest [1/m]
 };
 
-/// A placed sample, and where its image lies that is at hand.
+/// A placed sample, or an image of it on a torus, near a cell.
 struct NearDisk {
     Vec2 position;
     std::uint32_t placed = 0;
 };
 
-/// Places, for one class and a range of turns, where a sample may still fit.
+/// A set of places where a sample of one class and with a range of turns may still fit.
 struct DiskPart {
     ConvexPiece piece;
     double area = 0;
     double measure = 0; // the rate of its darts
     std::uint32_t disk_class = 0;
     Range turn;
-    DiskMetric::Bounds bounds; // over the piece or a box around it, without turn
+    DiskMetric::Bounds bounds; // over the piece or a box around it, the samples' turns left out
 };
 
-/// What samples conflict with, and what they leave of parts.
+/// Tests for conflicts between samples, and cuts from parts what samples cover.
 class DiskCover {
   public:
-    /// Limits are widened for conflicts and narrowed for covers by the share `doubt`.
+    /// `doubt`: relative rounding error; limits are raised by it in tests for conflicts, and
+    /// lowered by it where samples cover.
     DiskCover(const PoissonDiskProblem& problem, const DiskMetric& metric, double doubt);
 
     PlacedDisk placed(const DiskSample& sample) const;
@@ -47,13 +48,13 @@ class DiskCover {
     bool is_free(const PlacedDisk& disk, std::span<const NearDisk> near,
                  std::span<const PlacedDisk> placed) const;
 
-    /// Takes from the part what the samples near cover, and what would cover a sample near.
-    /// Whether anything is left.
+    /// Takes from the part the places that samples near it cover, and those from which a sample
+    /// would cover one of them. Returns whether anything is left.
     bool cut(DiskPart& part, std::span<const NearDisk> near,
              std::span<const PlacedDisk> placed) const;
 
-    /// Whether the part is too small to say more, or so small that a jump of the fields in it will
-    /// not go away.
+    /// Whether the part is too small to be divided, or so small that a jump of the fields in it
+    /// would remain in its parts.
     bool is_unresolved(const DiskPart& part) const;
 
     /// Two halves: across the turns where those move the ellipse's tip farther than the place does.
@@ -64,11 +65,11 @@ class DiskCover {
 
   private:
     double rate(const DiskPart& part) const;
-    QuadraticForm own_form(const DiskPart& part) const;
+    QuadraticForm form_of_all(const DiskPart& part) const;
 
     const DiskMetric& metric_;
     double doubt_;
-    bool symmetric_; // whether a conflicts with b just where b's ellipse holds a: all are disks
+    bool symmetric_; // all ellipses are disks of one scale: a is in b's where b is in a's
     std::vector<double> density_;         // rate per area of each class
     std::vector<QuadraticForm> constant_; // form of each class where it is the same everywhere
 };

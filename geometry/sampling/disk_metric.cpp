@@ -6,14 +6,14 @@ namespace scree {
 DiskMetric::DiskMetric(const PoissonDiskProblem& problem)
     : classes_(problem.classes), direction_(problem.direction), scale_(problem.scale) {
     const std::size_t n = classes_.size();
-    std::vector<double> own;
+    std::vector<double> sizes;
     for (const DiskClass& c : classes_)
-        own.push_back(std::sqrt(c.length * c.width));
-    const std::vector<double> distances = class_distances(own);
+        sizes.push_back(std::sqrt(c.length * c.width));
+    const std::vector<double> distances = class_distances(sizes);
     limits_.resize(n * n);
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
-            const double ratio = distances[i * n + j] / own[i];
+            const double ratio = distances[i * n + j] / sizes[i];
             limits_[i * n + j] = i == j ? 1 : ratio * ratio;
         }
     for (const double limit : limits_)

@@ -13,7 +13,7 @@ class DiskMetric {
 
     std::size_t class_count() const { return classes_.size(); }
 
-    /// The form of a sample whose own class it keeps away where it is below 1.
+    /// The form of a sample: other samples of its class conflict where it is below 1.
     QuadraticForm form(std::uint32_t disk_class, double angle, double scale) const;
 
     /// Where the form of a class-`of` sample must be below this, a class-`other` one conflicts.
@@ -32,12 +32,12 @@ class DiskMetric {
         return ratio * ratio / (least_distance_ * least_distance_);
     }
 
-    /// The root of `limit`: a distance in units of the form's own ellipse.
+    /// The root of `limit`: a distance in units of the semi-axes of the form's ellipse.
     double limit_root(std::uint32_t of, std::uint32_t other) const {
         return limit_roots_[of * class_count() + other];
     }
 
-    double angle_at(const Vec2& p) const; // [rad] without the sample's own turn
+    double angle_at(const Vec2& p) const; // of the direction field [rad]
     double scale_at(const Vec2& p) const;
 
     /// What holds for all places of a box.

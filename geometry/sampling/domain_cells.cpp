@@ -8,7 +8,8 @@ namespace scree {
 
 namespace {
 
-// Border cells are marked this much too generously, in cells, so that rounding misses none.
+// Cells within this distance of the border count as border cells, so that rounding misses none
+// [cells].
 constexpr double slack = 1e-7;
 
 struct Span {
@@ -65,7 +66,7 @@ DomainCells::DomainCells(const Region& region, const CellGrid& grid)
     parts_ = std::move(parts);
 }
 
-// In cells.
+// Marks the cells that the edge crosses; its ends are in cells.
 void DomainCells::mark_edge(const Vec2& a, const Vec2& b) {
     const Vec2& low = a.y < b.y ? a : b;
     const Vec2& high = a.y < b.y ? b : a;

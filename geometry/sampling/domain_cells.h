@@ -19,8 +19,8 @@ struct CellGrid {
     Vec2 corner(int column, int row) const { return origin + Vec2(column, row) * cell; }
 };
 
-/// A grid of squares of `side` [m] that holds the box; or, where it is to fit, of rectangles that
-/// are no larger and fill the box exactly.
+/// A grid of squares of `side` [m] that contains the box; with `fit`, of rectangles that are no
+/// larger and fill the box exactly.
 CellGrid grid_over(const Box2& box, double side, bool fit);
 
 /// Which cells of a grid lie in a region. What crosses a cell that the region's border crosses is

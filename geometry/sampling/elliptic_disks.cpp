@@ -15,10 +15,11 @@ namespace scree {
 
 namespace {
 
-// Each cell throws darts at times of Poisson processes whose rates are the measure of the places,
-// classes and turns in which they may still succeed: at first one for the whole cell and all
-// classes; after a miss one for each part, a convex piece for one class and a range of turns, which
-// shrinks with each further miss to what the samples near may leave uncovered.
+// Each cell throws darts at the times of Poisson processes. The rate of each is the measure of the
+// places, classes and turns at which its darts may still succeed. At first one process stands for
+// the whole cell and all classes. After a miss there is one for each part: a convex piece, one
+// class and a range of turns. With each further miss a part shrinks to what samples near it may
+// leave uncovered.
 class Cells {
   public:
     Cells(const PoissonDiskProblem& problem);
@@ -52,10 +53,10 @@ class Cells {
     LeafCells leaves_;
     std::uint64_t seed_;
     DiskCover cover_;
-    float now_ = 0; // the time of the event at hand, before the first 0
+    float now_ = 0; // the time of the current event; 0 before the first
     std::vector<float>
         time_; // of the next dart: the earlier of that for the whole cell and of parts
-    std::vector<std::uint32_t> whole_; // a bit for each class of which nothing is known yet
+    std::vector<std::uint32_t> whole_; // a bit for each class for which no dart has missed yet
     std::vector<float> whole_time_;
     std::vector<Parts::Root> part_of_;
     Parts parts_;
@@ -63,12 +64,12 @@ class Cells {
     std::vector<PlacedDisk> placed_;
     std::vector<std::int32_t> next_placed_; // in the same cell
     std::size_t kept_ = 0;                  // of placed_, the first
-    std::vector<NearDisk> near_;            // of the cell at hand
+    std::vector<NearDisk> near_;            // to the current cell
     std::uint64_t trials_ = 0;
     std::uint64_t unresolved_ = 0;
 };
 
-// Coordinates are rounded to 2^-53 of the largest; forms and differences multiply that a little.
+// Coordinates are rounded to 2^-53 of the largest; differences and forms add a few more roundings.
 double doubt_of(const PoissonDiskProblem& problem, const DiskMetric& metric) {
     const Box2 box = bounds(*problem.domain);
     const double largest = std::max({std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x),
@@ -129,8 +130,9 @@ void Cells::place(std::uint32_t c, const PlacedDisk& disk) {
     sample_of_[c] = static_cast<std::int32_t>(placed_.size()) - 1;
 }
 
-// Ends classes in the cells near that the sample covers whole: most will never throw a dart.
-// What is left waits as much longer as its measure is smaller: waits have no memory.
+// In cells that the new sample covers wholly, ends the classes that it keeps away: most cells never
+// throw a dart. The time to the next dart of the other classes grows as their measure shrinks, for
+// waiting times are exponential and have no memory.
 void Cells::end_covered(std::uint32_t c) {
     const PlacedDisk& placed = placed_.back();
     const std::uint32_t o = placed.sample.disk_class;
@@ -195,13 +197,13 @@ void Cells::gather_near(std::uint32_t c) {
     near_.clear();
     const Vec2 middle = leaves_.box(c).center();
     const double half = (leaves_.box(c).max - middle).length();
-    const double own_reach = leaves_.reach(c);
+    const double cell_reach = leaves_.reach(c);
     leaves_.for_runs_near(c, [&](std::uint32_t first, std::uint32_t last) {
         for (std::uint32_t i = first; i < last; ++i)
             for (std::int32_t s = sample_of_[i]; s != nothing; s = next_placed_[std::size_t(s)]) {
                 const PlacedDisk& placed = placed_[std::size_t(s)];
                 const Vec2 offset = leaves_.nearest_image(placed.sample.position - middle);
-                const double far = std::max(placed.reach, own_reach) + half;
+                const double far = std::max(placed.reach, cell_reach) + half;
                 if (offset.length2() > far * far)
                     continue;
                 near_.push_back({middle + offset, static_cast<std::uint32_t>(s)});
@@ -241,7 +243,7 @@ double Cells::measure_whole(std::uint32_t c) const {
     return size.x * size.y * density;
 }
 
-// The whole cell for one of its classes, chosen by their rates; the others wait anew.
+// The whole cell for one of its classes, chosen by their rates; the others draw a new time.
 DiskPart Cells::take_whole(std::uint32_t c, Random& random) {
     const Vec2 size = leaves_.size(c);
     double chosen = random.bits() * 0x1p-32 * measure_whole(c);
@@ -258,7 +260,7 @@ DiskPart Cells::take_whole(std::uint32_t c, Random& random) {
     return cover_.part_of(leaves_.square(c), k);
 }
 
-// What a new sample leaves of the cell's parts.
+// Cuts from the cell's parts what a new sample covers.
 void Cells::cut_parts(std::uint32_t c) {
     parts_.filter(part_of_[c], [&](DiskPart& part, float& time) {
         const double before = part.measure;

@@ -66,8 +66,8 @@ LeafCells::LeafCells(const PoissonDiskProblem& problem, const DiskMetric& metric
     set_neighbours();
 }
 
-// Roots are as large as the largest disks' cells; around what is to be filled there are as many as
-// may hold samples that matter.
+// Roots have the size of the largest disks' cells. The grid extends as far around the area to be
+// filled as kept samples may matter.
 void LeafCells::make_grid(const PoissonDiskProblem& problem, const DiskMetric& metric) {
     Box2 box = bounds(*problem.domain);
     const double largest = metric.scale_over(box).high;
@@ -101,7 +101,7 @@ void LeafCells::add_leaves(const Leaf& leaf, std::vector<ConvexPiece> pieces,
     const Box2 all(leaf.corner, leaf.corner + size);
     const Range scale = metric.scale_over(all);
     const double wanted = side_for(metric.least_distance() * scale.low);
-    // No deeper than the scale's jumps make sense.
+    // The depth is limited: where the scale jumps, quartering does not narrow its range.
     const bool is_empty = !leaf.is_whole && pieces.empty();
     if (!is_empty && std::max(size.x, size.y) > 1.5 * wanted && leaf.share > 0x1p-12F) {
         const Vec2 half = size / 2;

@@ -9,9 +9,9 @@
 
 namespace scree {
 
-/// A problem's domain cut into cells of about the size of the disks there: a grid of roots, each
-/// quartered as often as the scale asks for. Cells count root by root, so that the cells of a row
-/// of roots have numbers in a row.
+/// A problem's domain divided into cells of about the size of the disks there: a grid of roots,
+/// each quartered as often as the scale requires. Cells are numbered root by root, so that the
+/// cells of neighbouring roots of a row have consecutive numbers.
 class LeafCells {
   public:
     LeafCells(const PoissonDiskProblem& problem, const DiskMetric& metric);
@@ -59,8 +59,8 @@ class LeafCells {
         Vec2 corner;
         float share = 1;      // of its root's sides
         float reach = 0;      // [m]
-        int first_column = 0; // of the roots within which cells may matter; beyond the grid's
-        int last_column = 0;  // ends on a torus
+        int first_column = 0; // of the roots whose cells may matter; on a torus these may lie
+        int last_column = 0;  // beyond the grid's ends
         int first_row = 0;
         int last_row = 0;
         bool is_whole = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Events that happen in the order of their times wherever the order matters, and only there.
+// Runs events of cells: in the order of their times where one may depend on the other, otherwise in
+// the order of memory.
 #pragma once
 
 #include "core/context.h"
@@ -20,15 +21,15 @@ inline float after(float time, double wait) {
     return sum > time ? sum : std::nextafter(time, never);
 }
 
-/// Lets the events of all cells happen. Each cell has a next event, at `cells.time(c)`, which may
-/// only depend on what happened earlier in cells near it and sets the cell's next time to a later
-/// one, in the end to `never`; an event may also end cells near. So an event may happen once no
-/// cell near has an earlier one, and events far apart in any order: the cells are gone through as
-/// they lie in memory, and what has to come first is done first. The outcome is that of strict
-/// order in time.
+/// Runs the events of all cells. Each cell has a next event, at `cells.time(c)`. The event may only
+/// depend on earlier events in cells near it, and sets the cell's time to that of its next event,
+/// in the end to `never`; it may also set the times of cells near it to `never`. So an event can
+/// run once no cell near has an earlier one, and events far apart run in any order: the cells are
+/// visited in the order of memory, and before each event the earlier ones near it are run. The
+/// outcome is that of strict order in time.
 ///
-/// `cells` has: count(), time(c), earliest_near(c): the cell near c whose time is the least, c
-/// itself where that is earlier than all others; happen(c).
+/// `cells` has count(), time(c), earliest_near(c), the cell near c whose time is the least (c
+/// itself where no other is earlier), and happen(c), which runs the event.
 template <class Cells>
 void play(Cells& cells, const Context& context, std::string_view what) {
     std::vector<std::uint32_t> waiting;

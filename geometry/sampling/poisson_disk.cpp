@@ -56,7 +56,7 @@ PoissonDiskSet sample_relaxed(const PoissonDiskProblem& problem, const Context& 
     plain.relax = 0;
     PoissonDiskSet set = sample_poisson_disks(plain, context);
     relax_disks(plain, problem.relax, set.samples, context);
-    plain.kept = set.samples; // and what moved too near to another is made up for
+    plain.kept = set.samples; // new samples fill the room that the movements left
     PoissonDiskSet more = sample_elliptic_disks(plain, context);
     set.samples.insert(set.samples.end(), more.samples.begin(), more.samples.end());
     set.trials += more.trials;

@@ -54,11 +54,11 @@ struct PoissonDiskSet {
 
 /// A maximal set: no two samples conflict, and no sample of any class could be added, except in
 /// `unresolved` places, each narrower than 1e-9 of the ellipse there, or than 1e-3 where a field
-/// jumps. Up to rounding it is distributed as if darts had been thrown one by one for ever (random
-/// sequential adsorption), uniformly over the domain; each class gets darts in proportion to the
-/// square of its ellipse's area. Relaxed sets (`relax_disks`) are just as free of conflicts and as
-/// maximal, but more even. Throws Cancelled, and Error for a torus that is narrower than four times
-/// the longest reach.
+/// jumps. Up to rounding it is distributed as if darts had been thrown uniformly over the domain,
+/// one by one without end (random sequential adsorption), with the darts of each class in
+/// proportion to the square of its ellipse's area. Relaxed sets (`relax_disks`) are also free of
+/// conflicts and maximal, but more even. Throws Cancelled, and Error for a torus that is narrower
+/// than four times the longest reach.
 PoissonDiskSet sample_poisson_disks(const PoissonDiskProblem& problem, const Context& context);
 
 /// Distances between centres of classes, row by row: `distances[i]` on the diagonal, and between

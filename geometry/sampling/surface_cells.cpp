@@ -15,8 +15,7 @@ namespace {
 // Keeps the part of a piece where `axis` of space lies between two values.
 void keep_slab(ConvexPiece& piece, const TrianglePlane& plane, unsigned axis, double low,
                double high) {
-    // Along the plane the coordinate is a linear function: its gradient, and a
-    // line across it.
+    // In the plane the coordinate is a linear function with this gradient.
     const Vec2 gradient(plane.x_axis[int(axis)], plane.y_axis[int(axis)]);
     const double at_origin = plane.origin[int(axis)];
     const double length2 = gradient.length2();
@@ -98,7 +97,7 @@ void SurfaceCells::cut_triangles(const Mesh& mesh) {
     }
 }
 
-// Slab by slab along each axis in turn.
+// Cuts slab by slab along each axis in turn.
 void SurfaceCells::cut_triangle(std::uint32_t triangle, const std::array<Imath::V3d, 3>& corners,
                                 Pieces& pieces) {
     TrianglePlane& plane = planes_[triangle];

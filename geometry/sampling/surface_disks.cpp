@@ -17,8 +17,8 @@ namespace scree {
 
 namespace {
 
-// As the cells of elliptic_disks, on pieces of triangles: a ball around a
-// sample meets a triangle's plane in a disk.
+// As the cells of elliptic_disks, on pieces of triangles: a ball around a sample intersects the
+// plane of a triangle in a disk.
 class Cells {
   public:
     explicit Cells(const SurfaceDiskProblem& problem);
@@ -57,9 +57,9 @@ class Cells {
     SurfaceCells surface_;
     std::size_t classes_;
     std::vector<double> distances_; // of class_distances
-    double doubt_;                  // [m] that rounding may add to or take from a distance
+    double doubt_;                  // bound of the rounding error of a distance [m]
     std::uint64_t seed_;
-    float now_ = 0; // the time of the event at hand, before the first 0
+    float now_ = 0; // the time of the current event; 0 before the first
     std::vector<float> time_;
     std::vector<Parts::Root> part_of_;
     Parts parts_;
@@ -123,7 +123,7 @@ bool Cells::is_free(std::uint32_t c, const SurfaceSample& sample) const {
     return true;
 }
 
-// Whether one sample near covers all of it, as happens to most of a fine mesh's parts.
+// Whether one sample near covers all of the part, as is the case for most parts of a fine mesh.
 bool Cells::is_covered(std::uint32_t c, const Part& part) const {
     const BoundingCircle circle = bounding_circle(part.piece);
     const Imath::V3d middle = surface_.plane(part.triangle).at(circle.centre);
@@ -189,7 +189,7 @@ void Cells::happen(std::uint32_t c) {
     ++trials_;
     now_ = time_[c];
     const Part part = parts_.take(part_of_[c]);
-    if (!is_covered(c, part)) // where no dart could hit
+    if (!is_covered(c, part)) // otherwise no dart could succeed
         throw_dart(c, part);
     update_time(c);
 }
@@ -204,8 +204,8 @@ void Cells::throw_dart(std::uint32_t c, const Part& part) {
                                part.triangle, part.disk_class};
     if (is_free(c, sample)) {
         samples_[c].push_back(sample);
-        // It covers most of what the cell has left; the rest waits as much longer
-        // as it is smaller.
+        // The sample covers most of the cell's parts. The time to the next dart grows as the area
+        // of a part shrinks.
         parts_.filter(part_of_[c], [&](Part& other, float& time) {
             const double before = other.area;
             if (!cut(c, other) || !(other.area > 0))

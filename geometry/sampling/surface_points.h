@@ -13,7 +13,8 @@ struct SurfacePoints {
     std::vector<Vec3> normals;
 };
 
-/// Evenly spread over the surface: none nearer than `spacing` [m], none of it farther from one.
+/// Evenly spread over the surface: no two points are nearer than `spacing` [m] to each other, and
+/// no point of the surface is farther than that from all of them.
 SurfacePoints surface_points(const Mesh& mesh, double spacing);
 
 /// The spacing at which `surface_points` has about `count` points.

@@ -8,9 +8,9 @@
 
 namespace scree {
 
-/// Parts of many cells, each with the time of its next event, and for every cell the earliest at
-/// hand: pairing heaps (Fredman et al. 1986) whose nodes share one store. The parts, which are
-/// large, have another, so that merging touches little memory.
+/// Parts of many cells, each with the time of its next event. Every cell has a pairing heap
+/// (Fredman et al. 1986) that gives its earliest part; the nodes of all heaps share one array. The
+/// parts, which are large, lie in another, so that merging touches little memory.
 template <class Part>
 class TimedParts {
   public:

@@ -10,18 +10,20 @@
 
 namespace scree {
 
-/// Filters of several points, drawn-out ones cut into parts (see filter_parts in solid.cl), number
-/// by number in arrays that vectors read, and what a texture answers for each.
+/// The filters of several points, elongated ones divided into parts (see filter_parts in solid.cl),
+/// and the samples of a texture for each, as a structure of arrays for vector code.
 struct FilterParts {
-    static constexpr std::size_t most = 64 + 8; // some behind the last, for a vector's other lanes
+    static constexpr std::size_t capacity =
+        64 + 8; // padded for the unused lanes of the last vector
 
     std::size_t count = 0;
-    float position[3][most], across[3][most], along[3][most], random[most];
-    float color[3][most], slope[3][most], height[most], roughness[most], value[most];
+    float position[3][capacity], across[3][capacity], along[3][capacity], random[capacity];
+    float color[3][capacity], slope[3][capacity], height[capacity], roughness[capacity],
+        value[capacity];
 
     void add(const solid::Triple& place, const solid::Triple& side, const solid::Triple& other,
              float instance) {
-        const auto set = [this](float(&to)[3][most], const solid::Triple& t) {
+        const auto set = [this](float(&to)[3][capacity], const solid::Triple& t) {
             to[0][count] = t.x;
             to[1][count] = t.y;
             to[2][count] = t.z;
@@ -32,8 +34,7 @@ struct FilterParts {
         random[count++] = instance;
     }
 
-    /// Writes the last filter again behind the last, up to a multiple of 8: what lanes without a
-    /// filter of their own look at.
+    /// Pads to a multiple of 8 by repeating the last filter, for unused lanes.
     void fill_up() {
         const std::size_t last = count - 1;
         for (std::size_t i = count; i % 8 != 0; ++i) {
@@ -55,12 +56,12 @@ struct FilterParts {
     }
 };
 
-/// Evaluates a texture by `answer(parts)`, which may refuse by false; then nothing is written for
-/// the points that it refused, and the answer is false. See MEAN_OF_PARTS.
+/// Evaluates a texture by `answer(parts)`, which returns false when it cannot; then false is
+/// returned and the samples of those and later points are not written. See MEAN_OF_PARTS.
 template <class Answer>
 bool in_filter_parts(std::span<const ShadingPoint> points, std::span<ShadingSample> samples,
                      const Answer& answer) {
-    constexpr std::size_t together = 8; // points, of 8 parts at most
+    constexpr std::size_t together = 8; // points per batch, with at most 8 parts each
     FilterParts parts;
     std::array<int, together> counts;
     for (std::size_t first = 0; first < points.size(); first += together) {

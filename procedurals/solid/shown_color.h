@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// Linear, from a display colour 0xRRGGBB, as photographs give it.
+/// The linear colour of the display-encoded (sRGB) colour 0xRRGGBB.
 inline Color shown(unsigned rgb) {
     const auto part = [&](unsigned shift) {
         return linear_from_display(static_cast<float>((rgb >> shift) & 255U) / 255.0F);

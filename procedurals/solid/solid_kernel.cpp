@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device.h"
+#include "procedurals/solid/lattice/fluctuation_source.h"
 #include "procedurals/solid/lattice/lattice_source.h"
 #include "procedurals/solid/solid_procedural.h"
 #include "procedurals/solid/solid_source.h"
@@ -11,15 +12,16 @@ namespace scree {
 
 namespace {
 
-// Points at a time: some tens of megabytes on the device.
+// Points per batch: some tens of megabytes on the device.
 constexpr std::size_t batch = std::size_t(1) << 18;
 
-// Some textures keep lists of cells: small groups, which CPU devices lay on one thread's stack.
+// Work-group size. Small, since some textures have large private arrays, and CPU devices keep those
+// of a group on one thread's stack.
 constexpr std::size_t group = 64;
 
 std::string program(const SolidKernel& kernel) {
     const std::string settings = kernel.settings_type;
-    return std::string(lattice_source) + solid_source + kernel.source +
+    return std::string(lattice_source) + fluctuation_source + solid_source + kernel.source +
            "kernel void scree_bake(global const SolidPoint* points, global SolidSample* samples,\n"
            "    global const " +
            settings +
@@ -36,7 +38,7 @@ std::string program(const SolidKernel& kernel) {
            kernel.function + "(field, settings, points[i]);\n}\n";
 }
 
-/// A buffer that holds `data`, or a few bytes in place of none, which OpenCL does not have.
+/// A buffer with `data`; for empty data a few bytes, since OpenCL has no empty buffers.
 template <class T>
 Device::BufferHandle uploaded(Device& device, std::span<const T> data) {
     const Device::BufferHandle buffer =
@@ -56,11 +58,11 @@ void run_solid_kernel(Device& device, const SolidKernel& kernel,
     const Device::BufferHandle header = uploaded(device, std::span(&lattice.header(), 1));
     const Device::BufferHandle nodes16 = uploaded(device, lattice.nodes16());
     const Device::BufferHandle nodes32 = uploaded(device, lattice.nodes32());
-    const std::size_t most = std::min(batch, points.size());
-    const Device::BufferHandle in = device.allocate(most * sizeof(solid::SolidPoint));
-    const Device::BufferHandle out = device.allocate(most * sizeof(solid::SolidSample));
-    std::vector<solid::SolidPoint> sent(most);
-    std::vector<solid::SolidSample> found(most);
+    const std::size_t capacity = std::min(batch, points.size());
+    const Device::BufferHandle in = device.allocate(capacity * sizeof(solid::SolidPoint));
+    const Device::BufferHandle out = device.allocate(capacity * sizeof(solid::SolidSample));
+    std::vector<solid::SolidPoint> sent(capacity);
+    std::vector<solid::SolidSample> found(capacity);
     for (std::size_t first = 0; first < points.size(); first += batch) {
         const std::size_t count = std::min(batch, points.size() - first);
         std::transform(points.begin() + std::ptrdiff_t(first),

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A solid texture that is a function of its .cl text: evaluated on the host at shading time, and
-// there or on an OpenCL device for baking.
+// A solid texture implemented in a .cl file: evaluated on the host at shading time, and on the host
+// or on an OpenCL device for baking.
 #pragma once
 
 #include "model/procedural.h"
 #include "procedurals/solid/lattice/fractal_lattice.h"
-#include "procedurals/solid/solid_text.h"
+#include "procedurals/solid/solid_as_cpp.h"
 
 namespace scree {
 
-/// What a device needs beside the settings: the texture's own .cl text and its function there.
+/// The OpenCL source of a texture and the names of its settings type and its function.
 struct SolidKernel {
     const char* source;
     const char* settings_type;
@@ -27,13 +27,37 @@ inline ShadingSample shading_sample(const solid::SolidSample& sample) {
             sample.roughness < 0 ? ShadingSample::unset : sample.roughness, sample.value};
 }
 
-/// Evaluates a texture on a device. Throws Error (resource) when that fails.
+/// Evaluates a texture on a device. Throws Error (resource) when the device fails.
 void run_solid_kernel(Device& device, const SolidKernel& kernel,
                       std::span<const std::byte> settings, const FractalLattice& lattice,
                       std::span<const ShadingPoint> points, std::span<ShadingSample> samples);
 
-/// `Function(field, settings, point)` is the text's function. `InLanes(field, settings, points,
-/// samples)`, where there is one, answers several points at once to the same bits, or false.
+/// A function of a .cl file, also compiled for processors with AVX2, with all that it calls inlined.
+/// No operation is fused or reordered, so that both give the same bits.
+template <class Settings, auto Function>
+struct SolidFunction {
+    using Type = solid::SolidSample (*)(solid::Field, const Settings*, const solid::SolidPoint&);
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+    [[gnu::target("avx2"), gnu::flatten]] static solid::SolidSample
+    with_avx2(solid::Field field, const Settings* settings, const solid::SolidPoint& point) {
+        return Function(field, settings, point);
+    }
+    static Type best() { return __builtin_cpu_supports("avx2") ? with_avx2 : everywhere; }
+#else
+    static Type best() { return everywhere; }
+#endif
+
+  private:
+    static solid::SolidSample everywhere(solid::Field field, const Settings* settings,
+                                         const solid::SolidPoint& point) {
+        return Function(field, settings, point);
+    }
+};
+
+/// `Function(field, settings, point)` is the function of the .cl file. `InLanes(field, settings,
+/// points, samples)`, if any, evaluates several points at once with identical bits, or returns
+/// false when it cannot.
 template <class Settings, auto Function, auto InLanes = nullptr>
 class SolidProcedural : public Procedural {
   public:
@@ -51,7 +75,7 @@ class SolidProcedural : public Procedural {
             if (points.size() > 1 && InLanes(field, settings_, points, samples))
                 return;
         for (std::size_t i = 0; i < points.size(); ++i)
-            samples[i] = shading_sample(Function(field, &settings_, solid_point(points[i])));
+            samples[i] = shading_sample(function_(field, &settings_, solid_point(points[i])));
     }
 
     void bake(std::span<const ShadingPoint> points, std::span<ShadingSample> samples,
@@ -67,6 +91,8 @@ class SolidProcedural : public Procedural {
     std::shared_ptr<const FractalLattice> lattice_;
     Settings settings_;
     SolidKernel kernel_;
+    typename SolidFunction<Settings, Function>::Type function_ =
+        SolidFunction<Settings, Function>::best();
 };
 
 } // namespace scree

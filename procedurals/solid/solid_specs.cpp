@@ -9,12 +9,12 @@ namespace scree {
 
 namespace {
 
-// The paper's lattice has 64 cells along an edge (R = 6), which its k counts.
+// The paper's lattice has 64 cells along an edge (R = 6), the unit of its k.
 constexpr double paper_cells = 64;
 
 using Rows = std::array<Vec3, 3>;
 
-/// A turn that is uniform among all (Arvo 1992, by a unit quaternion: Shoemake 1992).
+/// A uniformly distributed rotation, by a unit quaternion (Shoemake 1992; Arvo 1992).
 Rows any_turn(Random& random) {
     const double u = random.uniform(), a = random.uniform(0, 2 * std::numbers::pi),
                  b = random.uniform(0, 2 * std::numbers::pi);
@@ -30,34 +30,35 @@ Rows any_turn(Random& random) {
 
 } // namespace
 
-std::vector<ParamSpec> solid_specs(std::vector<ParamSpec> own) {
+std::vector<ParamSpec> solid_specs(std::vector<ParamSpec> specs) {
     std::vector<ParamSpec> shared = {
         {.name = "size",
          .type = ParamType::number,
-         .doc = "Edge of the fractal lattice's cube: the scale of everything.",
+         .doc = "Side of the fractal lattice's cube, which scales the whole texture.",
          .unit = "m",
          .fallback = 0.1,
          .min = 1e-4,
          .max = 1e4},
         {.name = "axis",
          .type = ParamType::vector3,
-         .doc = "Across the layers of stone, or along the trunk, in the object's frame.",
+         .doc = "Normal of the layers of stone, or direction of the trunk, in the object's frame.",
          .fallback = Vec3(0, 1, 0)},
         {.name = "origin",
          .type = ParamType::vector3,
-         .doc = "Where the texture's origin lies in the object's frame.",
+         .doc = "Position of the texture's origin in the object's frame.",
          .unit = "m",
          .fallback = Vec3(0, 0, 0)},
         {.name = "decay",
          .type = ParamType::number,
          .doc =
-             "beta: each level of the fractal is exp(-beta) times the one before; low is rugged.",
+             "beta: the amplitude of each level of the fractal is exp(-beta) times that of the one "
+             "before; low values are rough.",
          .fallback = 0.8,
          .min = 0.0,
          .max = 4.0},
         {.name = "levels",
          .type = ParamType::integer,
-         .doc = "R: levels of the fractal that are stored, as (2^R + 1)^3 numbers.",
+         .doc = "R: number of stored levels of the fractal, which take (2^R + 1)^3 numbers.",
          .fallback = std::int64_t{7},
          .min = 0.0,
          .max = 8.0},
@@ -69,31 +70,32 @@ std::vector<ParamSpec> solid_specs(std::vector<ParamSpec> own) {
          .max = 12.0},
         {.name = "precision",
          .type = ParamType::choice,
-         .doc = "Of the stored numbers: half the memory, or exact.",
+         .doc = "Type of the stored numbers: 16 bits take half the memory, floats are exact.",
          .fallback = std::string("16 bit"),
          .choices = {"16 bit", "32 bit"}},
         {.name = "repeats",
          .type = ParamType::boolean,
-         .doc = "The fractal is periodic with `size`; otherwise it goes on for ever anew, slower "
+         .doc = "The fractal is periodic with `size`; otherwise it never repeats, and is slower "
                 "outside its first cube.",
          .fallback = true},
         {.name = "filtered",
          .type = ParamType::boolean,
-         .doc = "Averages over the pixel; otherwise points, which shimmer, as in 1987.",
+         .doc = "Filters over the pixel; otherwise evaluates points, which alias, as in 1987.",
          .fallback = true},
         {.name = "vary",
          .type = ParamType::boolean,
-         .doc = "Every instance of a generator, and every object, is cut from another place.",
+         .doc =
+             "Every instance of a generator, and every object, uses another part of the texture.",
          .fallback = false},
         {.name = "seed",
          .type = ParamType::integer,
-         .doc = "Another seed is another piece of the same material.",
+         .doc = "Another seed gives another piece of the same material.",
          .fallback = std::int64_t{1},
          .min = 0.0},
     };
     for (ParamSpec& spec : shared)
-        own.push_back(std::move(spec));
-    return own;
+        specs.push_back(std::move(spec));
+    return specs;
 }
 
 std::shared_ptr<const FractalLattice> make_lattice(const Params& params) {
@@ -112,7 +114,7 @@ SolidFrame solid_frame(const Params& params) {
     if (!(given.length() > 0))
         throw params.error("axis", "has no direction", "for example {0, 1, 0}");
     const Vec3 axis = given.normalized();
-    // For the default axis y: right is z and up is x, so that the frame is right-handed.
+    // For the default axis y, right is z and up is x, so the frame is right-handed.
     const Vec3 helper = std::abs(axis.x) < 0.9F ? Vec3(1, 0, 0) : Vec3(0, 0, 1);
     const Vec3 right = helper.cross(axis).normalized();
     return {right, axis.cross(right), axis, params.vector3("origin")};
@@ -150,13 +152,7 @@ double cell_length(const Params& params) { return params.number("size") / paper_
 
 ParamSpec preset_number(std::string name, std::string doc, std::string unit, double min,
                         double max) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = std::move(unit),
-            .optional = true,
-            .min = min,
-            .max = max};
+    return optional_number_spec(std::move(name), std::move(doc), std::move(unit), min, max);
 }
 
 ParamSpec preset_color(std::string name, std::string doc) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/film/color.h"
 
+#include "core/display_encoding.h"
 #include "core/error.h"
 
 #include <OpenColorIO/OpenColorIO.h>
@@ -16,10 +17,6 @@ namespace scree {
 
 namespace {
 
-double srgb_from_linear(double v) { // IEC 61966-2-1
-    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-}
-
 // One entry for every 16-bit float, so that shadows and highlights are equally precise.
 OCIO::TransformRcPtr filmic_transform() {
     constexpr unsigned halves = 1U << 16;
@@ -31,7 +28,7 @@ OCIO::TransformRcPtr filmic_transform() {
         if (h.isInfinity())
             shown = h.isNegative() ? 0 : 1;
         else if (!h.isNan())
-            shown = srgb_from_linear(filmic_curve(std::max(0.0, double(float(h)))));
+            shown = display_from_linear(filmic_curve(std::max(0.0, double(float(h)))));
         const auto value = static_cast<float>(shown);
         lut->setValue(bits, value, value, value);
     }

@@ -75,8 +75,8 @@ class Checker {
         return spec_.unit == "deg" ? radians(number) : number;
     }
 
-    // Notes what is wrong with a number of this parameter: not finite, or out of range.
-    bool fine(double number) {
+    // Reports a number that is not finite or out of range; false then.
+    bool is_valid(double number) {
         if (!std::isfinite(number)) {
             mistake(std::isnan(number) ? "is not a number; was zero divided by zero?"
                                        : "is infinite; was something divided by zero?");
@@ -101,25 +101,26 @@ class Checker {
         const std::optional<double> number = as_number(given_.value);
         if (!number)
             return wrong_type();
-        return fine(*number) ? Value(to_internal(*number)) : Value();
+        return is_valid(*number) ? Value(to_internal(*number)) : Value();
     }
 
-    Value constant_field() { // whose value stays in the unit of scripts
+    Value constant_field() { // the value stays in the unit of scripts
         const std::optional<double> number = as_number(given_.value);
         if (!number)
             return wrong_type();
-        return fine(*number) ? Value(*number) : Value();
+        return is_valid(*number) ? Value(*number) : Value();
     }
 
     Value integer() {
         const std::optional<double> number = as_number(given_.value);
         if (!number)
             return wrong_type();
-        if (!fine(*number))
+        if (!is_valid(*number))
             return {};
         if (const auto* exact = std::get_if<std::int64_t>(&given_.value.data))
             return *exact;
-        constexpr double largest = 9007199254740992.0; // 2^53: beyond it doubles skip integers
+        constexpr double largest =
+            9007199254740992.0; // 2^53: larger integers are not exact in double
         if (*number != std::floor(*number) || std::abs(*number) > largest)
             return wrong_type();
         return static_cast<std::int64_t>(*number);
@@ -149,7 +150,7 @@ class Checker {
         return code ? name : absolute.lexically_normal().string();
     }
 
-    // `count` finite numbers of a list; empty after a mistake.
+    // A list of `count` finite numbers; empty after reporting an error.
     std::vector<double> numbers(const Description& from, std::size_t count) {
         const auto* list = from.kind.empty() ? std::get_if<Description::List>(&from.data) : nullptr;
         std::vector<double> out;
@@ -162,7 +163,7 @@ class Checker {
             return {};
         }
         for (const double number : out)
-            if (!fine(number))
+            if (!is_valid(number))
                 return {};
         return out;
     }
@@ -174,7 +175,7 @@ class Checker {
 
     Value vector3() {
         if (const std::optional<double> all = as_number(given_.value); all && spec_.uniform)
-            return fine(*all) ? Value(Vec3(static_cast<float>(to_internal(*all)))) : Value();
+            return is_valid(*all) ? Value(Vec3(static_cast<float>(to_internal(*all)))) : Value();
         const std::vector<double> n = numbers(given_.value, 3);
         if (n.empty())
             return {};
@@ -184,7 +185,7 @@ class Checker {
 
     Value color() {
         if (const std::optional<double> grey = as_number(given_.value))
-            return fine(*grey) ? Value(Color(static_cast<float>(*grey))) : Value();
+            return is_valid(*grey) ? Value(Color(static_cast<float>(*grey))) : Value();
         const std::vector<double> n = numbers(given_.value, 3);
         if (n.empty())
             return {};
@@ -194,7 +195,7 @@ class Checker {
     Value range() {
         if (const std::optional<double> both = as_number(given_.value)) {
             const double value = to_internal(*both);
-            return fine(*both) ? Value(Range{value, value}) : Value();
+            return is_valid(*both) ? Value(Range{value, value}) : Value();
         }
         const std::vector<double> n = numbers(given_.value, 2);
         if (n.empty())

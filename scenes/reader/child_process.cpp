@@ -24,7 +24,7 @@ namespace scree {
 namespace {
 
 constexpr int channel_descriptor = 3;
-constexpr rlim_t most_descriptors = 8; // stdio, the pipe, one script at a time
+constexpr rlim_t max_descriptors = 8; // stdio, the pipe, one script at a time
 
 void limit(int resource, rlim_t value) {
     rlimit now{};
@@ -33,7 +33,7 @@ void limit(int resource, rlim_t value) {
     setrlimit(resource, &wanted);
 }
 
-// Bytes that this process maps, Embree, OpenCL and all.
+// The virtual memory of this process in bytes, which includes that of all libraries.
 std::size_t mapped_bytes() {
     unsigned long pages = 0;
     if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
@@ -62,14 +62,14 @@ std::size_t mapped_bytes() {
     limit(RLIMIT_AS, mapped_bytes() + limits.memory);
     limit(RLIMIT_CPU, cpu);
     limit(RLIMIT_FSIZE, 0);
-    limit(RLIMIT_NOFILE, most_descriptors);
+    limit(RLIMIT_NOFILE, max_descriptors);
     limit(RLIMIT_NPROC, 0);
     limit(RLIMIT_CORE, 0);
     body(Channel(channel_descriptor));
     _exit(0);
 }
 
-// Cuts the pipe's bytes into messages.
+// Splits the bytes of the pipe into messages.
 class Messages {
   public:
     void add(const char* bytes, std::size_t count,
@@ -93,7 +93,7 @@ class Messages {
 
 using Clock = std::chrono::steady_clock;
 
-// Reads until the child closes the pipe; false when time ran out first.
+// Reads until the child closes the pipe; false when the deadline passes first.
 bool read_all(int pipe_end, Clock::time_point deadline,
               const std::function<void(char, std::string)>& receive) {
     Messages messages;
@@ -105,7 +105,7 @@ bool read_all(int pipe_end, Clock::time_point deadline,
             return false;
         pollfd wait{pipe_end, POLLIN, 0};
         if (poll(&wait, 1, static_cast<int>(std::min<std::int64_t>(left, 60'000))) <= 0)
-            continue; // interrupted by a signal, or time to look at the clock
+            continue; // interrupted by a signal, or timed out: check the deadline
         const ssize_t count = read(pipe_end, block.data(), block.size());
         if (count == 0)
             return true;
@@ -116,7 +116,7 @@ bool read_all(int pipe_end, Clock::time_point deadline,
     }
 }
 
-// Ends and reaps the child in every way out of run_in_child.
+// Kills and reaps the child on every exit from run_in_child.
 class Child {
   public:
     Child(pid_t id, int pipe_end) : id_(id), pipe_end_(pipe_end) {}
@@ -183,7 +183,7 @@ ChildEnd run_in_child(const ChildLimits& limits, const std::function<void(const 
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
         return ChildEnd::done;
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    // With equal soft and hard limits the kernel sends SIGKILL at RLIMIT_CPU.
+    // When the soft limit equals the hard limit, the kernel sends SIGKILL at RLIMIT_CPU.
     if (signal == SIGXCPU || signal == SIGKILL)
         return ChildEnd::time;
     return signal == SIGINT || signal == SIGTERM ? ChildEnd::interrupted : ChildEnd::crashed;

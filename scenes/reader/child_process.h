@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A forked child under limits that talks to its parent through a pipe.
+// A forked child process with resource limits, which sends messages to its parent through a pipe.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// The child's end of the pipe. A message is a letter and some bytes.
+/// The child's end of the pipe. A message has a type, one letter, and bytes.
 class Channel {
   public:
     explicit Channel(int descriptor) : descriptor_(descriptor) {}
@@ -21,19 +21,19 @@ class Channel {
     int descriptor_;
 };
 
-/// Limits of the operating system: a backstop behind the finer limits of what runs in the child.
+/// Limits enforced by the operating system, in case the finer limits inside the child fail.
 struct ChildLimits {
     double cpu_seconds = 20;
     double wall_seconds = 60;
-    std::size_t memory = std::size_t{1} << 30; // beyond what the parent maps [bytes]
+    std::size_t memory = std::size_t{1} << 30; // in addition to the parent's mappings [bytes]
 };
 
 /// How the child ended.
 enum class ChildEnd { done, time, interrupted, crashed };
 
-/// Runs `body` in a forked child that cannot write files or start processes, and gives every
-/// message to `receive`. The child ends when `body` returns. Throws Error (resource) when there
-/// can be no child.
+/// Runs `body` in a forked child that cannot write files or start processes, and passes every
+/// message to `receive`. The child ends when `body` returns. Throws Error (resource) when no child
+/// can be started.
 ChildEnd run_in_child(const ChildLimits& limits, const std::function<void(const Channel&)>& body,
                       const std::function<void(char type, std::string bytes)>& receive);
 

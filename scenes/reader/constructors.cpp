@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What scene scripts call, beside Lua's own functions.
+// The functions that scene scripts call in addition to Lua's.
 #include "scenes/reader/sandbox.h"
 
+#include "core/display_encoding.h"
 #include "core/file.h"
 #include "geometry/plane/field.h"
 
@@ -21,7 +22,7 @@ const char tag_mark = 0;
 
 void push_mistake(lua_State* state, const Diagnostic& d) {
     const Sandbox& sandbox = Sandbox::of(state);
-    // A mistake inside an included file has its own place.
+    // An error in an included file has its own location.
     const Place place = d.where.line > 0 ? sandbox.place_of(d.where) : sandbox.place(state);
     const std::string text =
         fmt::format("{}{}{}{}", Sandbox::prefix(place), d.path.empty() ? "" : d.path + ": ",
@@ -29,7 +30,7 @@ void push_mistake(lua_State* state, const Diagnostic& d) {
     lua_pushlstring(state, text.data(), text.size());
 }
 
-// Our exceptions must not pass through Lua, which is C: they become Lua's errors.
+// C++ exceptions must not pass through Lua, which is C: they are converted to Lua errors.
 template <int (*body)(lua_State*)>
 int guarded(lua_State* state) {
     try {
@@ -65,7 +66,7 @@ std::string kind_of_value(lua_State* state, int index) {
     }
 }
 
-// mesh.banana { ... }: the same fields in a new table that knows its kind and line.
+// mesh.banana { ... }: a new table with the same fields, tagged with its kind and line.
 int construct(lua_State* state) {
     const char* kind = lua_tostring(state, lua_upvalueindex(1));
     const int count = lua_gettop(state);
@@ -104,8 +105,8 @@ int construct(lua_State* state) {
     return 1;
 }
 
-// Upvalues: a constructor, and a function that may change what it made. No C++ object is alive
-// here: errors leave by longjmp.
+// Upvalues: a constructor, and a function that may modify its result. There must be no C++ object
+// here, since Lua errors leave by longjmp without running destructors.
 int construct_and_finish(lua_State* state) {
     lua_pushvalue(state, lua_upvalueindex(1));
     lua_insert(state, 1);
@@ -129,7 +130,7 @@ int make_constructor(lua_State* state) {
     return 1;
 }
 
-// Samples along the longer side of a field.function: usual, least, most.
+// Samples along the longer side of a field.function: default, minimum, maximum.
 int function_samples(lua_State* state) {
     lua_pushinteger(state, FunctionSamples::usual);
     lua_pushinteger(state, FunctionSamples::least);
@@ -137,7 +138,7 @@ int function_samples(lua_State* state) {
     return 3;
 }
 
-// The list of the families whose members are constructors.
+// families() -> list of the families whose members are constructors
 int families(lua_State* state) {
     const std::vector<std::string>& names = Sandbox::of(state).families();
     lua_createtable(state, static_cast<int>(names.size()), 0);
@@ -177,7 +178,7 @@ bool parse(const std::string& text, T& value) {
     return code == std::errc{} && end == text.data() + text.size();
 }
 
-// The override as a value of the default's type.
+// Pushes the override, converted to the type of the default.
 void push_override(lua_State* state, const std::string& name, const std::string& given) {
     const auto mistake = [&](const std::string& expected) {
         return Error(Diagnostic{
@@ -206,7 +207,7 @@ void push_override(lua_State* state, const std::string& name, const std::string&
         break;
     }
     default:
-        break; // arg has refused it
+        break; // rejected by `arg` already
     }
 }
 
@@ -255,16 +256,16 @@ int begin_include(lua_State* state) {
     sandbox.load(state, path);
     sandbox.includes[path] = {};
     sandbox.open_files.push_back(path);
-    return 2; // one value more: the script is still to be run
+    return 2; // a second value means that the script must still be run
 }
 
-// The body of include is split so that no C++ object is alive while the other script runs: its
-// errors leave by longjmp.
+// `include` is split into parts so that no C++ object is alive while the other script runs, since
+// its errors leave by longjmp.
 int include(lua_State* state) {
     lua_settop(state, 1);
     lua_pushcfunction(state, guarded<begin_include>);
     lua_pushvalue(state, 1);
-    // Called in our place: the innermost script line is still the include's.
+    // begin_include is a C function too: the innermost script line is still the call of include.
     lua_call(state, 1, LUA_MULTRET);
     if (lua_gettop(state) == 2)
         return 1;
@@ -289,9 +290,7 @@ int srgb(lua_State* state) {
     lua_createtable(state, 3, 0);
     for (int i = 0; i < 3; ++i) {
         const double encoded = double(value >> (16 - 8 * i) & 0xFFU) / 255.0;
-        // IEC 61966-2-1
-        lua_pushnumber(state, encoded <= 0.04045 ? encoded / 12.92
-                                                 : std::pow((encoded + 0.055) / 1.055, 2.4));
+        lua_pushnumber(state, linear_from_display(encoded));
         lua_rawseti(state, -2, i + 1);
     }
     return 1;

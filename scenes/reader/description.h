@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parsed scene: a tree of plain values, each with file and line; no objects yet.
+// The parsed scene: a tree of plain values with file and line, before any object is made.
 #pragma once
 
 #include "core/error.h"
@@ -16,17 +16,17 @@ namespace scree {
 struct Description;
 using DescriptionNode = std::shared_ptr<const Description>;
 
-/// One value of a scene. A node that a script uses twice is one node with two parents, so that a
-/// mesh named once is made once; there are no cycles.
+/// One value of a scene. A table that a script uses in two places is one node with two parents, so
+/// that its object is made only once. There are no cycles.
 struct Description {
-    /// A value in its holder, and the line of the holder's file where it stands: a shared value
-    /// was written elsewhere.
+    /// A value in a list or table, and the line in the container's file where it is used, which
+    /// differs from the value's own location when it is shared.
     struct Item {
         DescriptionNode value;
         int line = 0;
     };
     using List = std::vector<Item>;
-    using Table = std::map<std::string, Item>; // sorted: the same order every run
+    using Table = std::map<std::string, Item>; // sorted, for a deterministic order
     using Data = std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Table>;
 
     Location where;
@@ -34,22 +34,21 @@ struct Description {
     Data data;
 };
 
-/// Runs a .lua scene script in a sandboxed child process, or reads a .json description. A script
-/// knows the constructors of `families`, "mesh" and so on, as Catalog::constructor_families()
-/// lists. `overrides` are the values of --set; an override that no arg(...) asks for is an error.
-/// Throws Error with every mistake found.
+/// Runs a .lua scene script in a sandboxed child process, or reads a .json description. `families`
+/// are those of the constructors that a script may call ("mesh", ...), as listed by
+/// Catalog::constructor_families(). `overrides` are the values of --set; an override that no
+/// arg(...) uses is an error. Throws Error with all errors found.
 DescriptionNode read_description(const std::string& path,
                                  const std::map<std::string, std::string>& overrides,
                                  const std::vector<std::string>& families);
 
-/// How to_json writes. Without locations the text depends on the scene alone, not on where its
-/// lines stand.
+/// Options of to_json. Without locations the text does not change when lines of the script move.
 struct JsonStyle {
     bool locations = true;
     bool indent = true;
 };
 
-/// The description as JSON text that read_description reads back to the same description.
+/// The description as JSON, from which read_description makes an equal description.
 std::string to_json(const Description& description, JsonStyle style = {});
 
 } // namespace scree

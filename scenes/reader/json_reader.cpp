@@ -10,12 +10,7 @@ namespace scree {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& file, int line, std::string message,
-                       std::string path = {}) {
-    throw Error(Diagnostic{{file, line}, std::move(path), std::move(message), {}});
-}
-
-// Turns Json into nodes.
+// Converts Json values to nodes.
 class Reader {
   public:
     explicit Reader(const std::string& file) : json_file_(file) {}
@@ -41,10 +36,10 @@ class Reader {
     void read_files(const Json& json) {
         const auto* array = std::get_if<Json::Array>(&json.data);
         if (array == nullptr || array->empty())
-            fail(json_file_, json.line, "expected a list of file names", "$files");
+            fail_in_json(json_file_, json.line, "expected a list of file names", "$files");
         for (const Json& name : *array) {
             if (!std::holds_alternative<std::string>(name.data))
-                fail(json_file_, name.line, "expected a list of file names", "$files");
+                fail_in_json(json_file_, name.line, "expected a list of file names", "$files");
             files_.push_back(std::get<std::string>(name.data));
         }
     }
@@ -53,8 +48,8 @@ class Reader {
                          std::int64_t max) const {
         const auto* value = std::get_if<std::int64_t>(&json.data);
         if (value == nullptr || *value < min || *value > max)
-            fail(json_file_, json.line,
-                 fmt::format("expected a whole number from {} to {}", min, max), path);
+            fail_in_json(json_file_, json.line,
+                         fmt::format("expected a whole number from {} to {}", min, max), path);
         return *value;
     }
 
@@ -65,7 +60,7 @@ class Reader {
     const std::string& text(const Json& json, const std::string& path) const {
         const auto* value = std::get_if<std::string>(&json.data);
         if (value == nullptr)
-            fail(json_file_, json.line, "expected a text", path);
+            fail_in_json(json_file_, json.line, "expected a text", path);
         return *value;
     }
 
@@ -87,14 +82,14 @@ class Reader {
 
     DescriptionNode referenced(const Json::Object& object, const Json& reference) const {
         if (object.size() != 1)
-            fail(json_file_, reference.line, "stands with other fields", "$ref");
+            fail_in_json(json_file_, reference.line, "stands with other fields", "$ref");
         const auto found = by_id_.find(integer(reference, "$ref", 0, max_id));
         if (found == by_id_.end())
-            fail(json_file_, reference.line, "no earlier value has this $id", "$ref");
+            fail_in_json(json_file_, reference.line, "no earlier value has this $id", "$ref");
         return found->second;
     }
 
-    // Fills `made`; the answer is its $id.
+    // Fills `made` and returns its $id, if any.
     std::optional<std::int64_t> read_object(const Json::Object& object, Description& made) {
         std::optional<std::int64_t> id;
         const Json* value = nullptr;
@@ -119,11 +114,11 @@ class Reader {
             else if (name == "$line" && tracked())
                 made.where.line = line_number(json, name);
             else if (name != "$files" && name != "$file" && name != "$line")
-                fail(json_file_, json.line, "unknown name; names with $ have a meaning of ours",
-                     name);
+                fail_in_json(json_file_, json.line,
+                             "unknown name; names with $ have a meaning of ours", name);
         }
         if (id && by_id_.contains(*id))
-            fail(json_file_, made.where.line, "two values have the same number", "$id");
+            fail_in_json(json_file_, made.where.line, "two values have the same number", "$id");
         if (number != nullptr)
             made.data = special_number(*number);
         else if (value != nullptr)
@@ -140,7 +135,7 @@ class Reader {
         if (name == "inf" || name == "-inf")
             return name == "inf" ? std::numeric_limits<double>::infinity()
                                  : -std::numeric_limits<double>::infinity();
-        fail(json_file_, json.line, "expected nan, inf or -inf", "$number");
+        fail_in_json(json_file_, json.line, "expected nan, inf or -inf", "$number");
     }
 
     void read_fields(const Json::Object& object, Description& made, const Json* lines) {
@@ -178,7 +173,7 @@ class Reader {
             }
             made.data = std::move(list);
         } else if (std::holds_alternative<Json::Object>(json.data)) {
-            fail(json_file_, json.line, "expected a list or a plain value", "$value");
+            fail_in_json(json_file_, json.line, "expected a list or a plain value", "$value");
         } else {
             std::visit(
                 [&](const auto& value) {

@@ -13,13 +13,9 @@ namespace scree {
 
 namespace {
 
-constexpr std::size_t max_depth = 100; // real scenes stay below 10; keeps recursion small
+constexpr std::size_t max_depth = 100; // limits recursion; usual scenes have less than 10
 
-[[noreturn]] void fail(const std::string& file, int line, std::string message) {
-    throw Error(Diagnostic{{file, line}, {}, std::move(message), {}});
-}
-
-// Feeds the parser and counts the lines that it has read.
+// An iterator that counts the lines that the parser has read.
 struct LineCounter {
     int line = 1;
     bool after_newline = false;
@@ -81,21 +77,23 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
     bool key(string_t& name) override {
         if (!names_.back().insert(name).second)
-            fail(file_, line(), "\"" + name + "\" appears twice");
+            fail_in_json(file_, line(), "\"" + name + "\" appears twice");
         keys_.back() = std::move(name);
         return true;
     }
 
     bool parse_error(std::size_t, const std::string&,
                      const nlohmann::json::exception& error) override {
-        // "[json.exception...] parse error at line 1, column 2: syntax error while ...: what"
+        // The message is "[json.exception...] parse error at line 1, column 2: syntax error while
+        // ...: reason".
         std::string message = error.what();
         const std::size_t what = message.find(" - ");
         const std::size_t other = message.find(": ", message.find("column"));
         message = what != std::string::npos    ? message.substr(what + 3)
                   : other != std::string::npos ? message.substr(other + 2)
                                                : message;
-        fail(file_, line(), "this is not JSON: " + message.substr(0, message.find("; last read")));
+        fail_in_json(file_, line(),
+                     "this is not JSON: " + message.substr(0, message.find("; last read")));
     }
 
   private:
@@ -121,7 +119,8 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
     template <class T>
     bool open(T container) {
         if (open_.size() == max_depth)
-            fail(file_, line(), fmt::format("values are nested more than {} deep", max_depth));
+            fail_in_json(file_, line(),
+                         fmt::format("values are nested more than {} deep", max_depth));
         open_.push_back(place(Json{line(), std::move(container)}));
         keys_.emplace_back();
         names_.emplace_back();
@@ -137,7 +136,7 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
     std::string file_;
     const LineCounter& counter_;
-    // A container does not grow while one of its members is open, so the pointers stay good.
+    // A container does not grow while one of its members is open, so the pointers stay valid.
     std::vector<Json*> open_;
     std::vector<std::string> keys_;
     std::vector<std::set<std::string>> names_;
@@ -145,15 +144,20 @@ class Builder final : public nlohmann::json_sax<nlohmann::json> {
 
 } // namespace
 
+void fail_in_json(const std::string& file, int line, std::string message, std::string path) {
+    throw Error(Diagnostic{{file, line}, std::move(path), std::move(message), {}});
+}
+
 Json parse_json(std::string_view text, const std::string& file) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        fail(file, 1, "this is not JSON: the file is empty"); // versions of the library differ here
+        fail_in_json(file, 1, "this is not JSON: the file is empty"); // the library's message
+                                                                      // differs between versions
     LineCounter counter;
     Builder builder(file, counter);
     const CountingIterator begin(text.data(), &counter);
     const CountingIterator end(text.data() + text.size(), &counter);
     if (!nlohmann::json::sax_parse(begin, end, &builder))
-        fail(file, counter.line, "this is not JSON");
+        fail_in_json(file, counter.line, "this is not JSON");
     return std::move(builder.root);
 }
 

@@ -19,8 +19,12 @@ struct Json {
     std::variant<std::monostate, bool, std::int64_t, double, std::string, Array, Object> data;
 };
 
-/// Parses the text. Throws Error with `file` and line for what is not JSON, for a name that stands
-/// twice in one object, and for values nested too deep.
+/// Throws Error (input) at a line of a JSON file; `path` names the value if it has a name.
+[[noreturn]] void fail_in_json(const std::string& file, int line, std::string message,
+                               std::string path = {});
+
+/// Parses the text. Throws Error with `file` and line for invalid JSON, duplicate names in one
+/// object, and values nested too deeply.
 Json parse_json(std::string_view text, const std::string& file);
 
 } // namespace scree

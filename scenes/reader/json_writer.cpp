@@ -50,16 +50,16 @@ class Writer {
         for (const auto& [used, count] : uses_)
             files_.emplace(used->where.file, 0);
         files_.emplace(root.where.file, 0);
-        int next = 0; // sorted by name: the same order every run
+        int next = 0; // files are numbered in alphabetical order, so deterministically
         for (auto& [name, index] : files_)
             index = next++;
     }
 
-    // `inherited` is where a reader takes the node to be unless told.
+    // `inherited` is the location that a reader assumes for the node by default.
     void node(const Description& of, const Location& inherited, bool is_root = false) {
         const bool elsewhere = of.where.file != inherited.file || of.where.line != inherited.line;
         if (is_leaf(of) && of.kind.empty() && !(style_.locations && (is_root || elsewhere)))
-            return leaf(of); // most nodes by far
+            return leaf(of); // the most common case
         const auto use = uses_.find(&of);
         const bool shared = use != uses_.end() && use->second > 1;
         if (shared) {
@@ -83,7 +83,7 @@ class Writer {
                 node(*item.value, {of.where.file, item.line});
             }
             close('}');
-        } else if (!fields_.back()) { // nothing had to be said: plain JSON
+        } else if (!fields_.back()) { // no $ names were written, so plain JSON is enough
             drop_open();
             plain(of);
         } else {
@@ -165,7 +165,7 @@ class Writer {
         else if (std::isinf(value))
             out_ += value > 0 ? R"({"$number": "inf"})" : R"({"$number": "-inf"})";
         else {
-            // The shortest text that reads back to the same bits, never to an integer.
+            // The shortest text that reads back to the same bits, and not to an integer.
             const std::string text = fmt::format("{}", value);
             out_ += text;
             if (text.find_first_of(".e") == std::string::npos)
@@ -215,7 +215,7 @@ class Writer {
 
     JsonStyle style_;
     std::string out_;
-    std::vector<bool> fields_; // per open bracket: has it a member yet?
+    std::vector<bool> fields_; // for each open bracket: whether it has a member
     std::size_t opened_at_ = 0;
     std::map<std::string, int> files_;
     std::unordered_map<const Description*, int> uses_;

@@ -21,7 +21,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 class Lexer {
   public:
     explicit Lexer(std::string_view source) : source_(source) {
-        if (peek() == '#') // Lua skips a first line that starts with #
+        if (peek() == '#') // Lua skips a first line that begins with #
             skip_line();
     }
 
@@ -42,7 +42,7 @@ class Lexer {
   private:
     using Type = LuaToken::Type;
 
-    // A keyword after a dot can only be meant as a name.
+    // A keyword after a dot is treated as a name (field.function).
     static void add(std::vector<LuaToken>& tokens, LuaToken token) {
         if (token.type == Type::keyword && !tokens.empty() && tokens.back().is("."))
             token.type = Type::name;
@@ -72,7 +72,7 @@ class Lexer {
             long_bracket();
     }
 
-    // [[ is 0, [=[ is 1, ...; -1 when no long bracket opens here
+    // 0 for [[, 1 for [=[, ...; -1 when no long bracket opens here
     int long_bracket_level() const {
         if (peek() != '[')
             return -1;

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// A token of Lua 5.4, but that a keyword after a dot is a name. `text` is the name, the symbol, or
-/// what stands between a string's quotes.
+/// A token of Lua 5.4, except that a keyword after a dot is a name. `text` is the name, the symbol,
+/// or the text between a string's quotes.
 struct LuaToken {
     enum class Type { name, keyword, number, string, symbol };
     Type type = Type::symbol;
@@ -20,8 +20,8 @@ struct LuaToken {
     }
 };
 
-/// Splits a script into tokens that point into `source`; comments are dropped. Text that is not
-/// Lua gives some tokens, never an error: Lua's own compiler is the one that complains.
+/// Splits a script into tokens that point into `source`, without comments. Invalid Lua gives
+/// arbitrary tokens, never an error: errors are reported by Lua's compiler.
 std::vector<LuaToken> lex_lua(std::string_view source);
 
 } // namespace scree

@@ -9,7 +9,7 @@ namespace scree {
 
 LuaMessage parse_lua_message(std::string message, Place fallback) {
     LuaMessage out{fallback, std::move(message), {}};
-    // Coroutines put their own place before the first one; the innermost counts.
+    // Every coroutine prepends its location; the innermost one is used.
     int file = 0;
     int line = 0;
     int length = 0;
@@ -30,7 +30,7 @@ std::string plain_words(const std::string& message) {
         const char* pattern;
         const char* words;
     };
-    // "(local 'x')", "(field 'x')", ... names what Lua could find out about the value.
+    // Lua appends the variable that holds the value, if known: "(local 'x')", "(field 'x')", ...
     static constexpr std::array rules{
         Rule{R"(^attempt to call a (\w+) value \(\w+ '(.*)'\)$)", "$2 is a $1, not a function"},
         Rule{R"(^attempt to call a (\w+) value$)", "a $1 cannot be called"},

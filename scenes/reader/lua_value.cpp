@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Lua value as a tree of located nodes.
+// Converts a Lua value to a tree of located nodes.
 #include "scenes/reader/sandbox.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace scree {
 
 namespace {
 
-constexpr int max_depth = 40; // real scenes stay below 10
-constexpr std::size_t enough_mistakes = 100;
+constexpr int max_depth = 40; // usual scenes have less than 10
+constexpr std::size_t max_mistakes = 100;
 constexpr std::size_t longest_path = 60;
 
 bool is_utf8(std::string_view text) {
@@ -39,7 +39,7 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
-// Where the script writes a table, when it does so in place.
+// Where a table is written in the script's source, if known.
 struct Written {
     const SourceMap* map = nullptr;
     const TableSource* table = nullptr;
@@ -67,7 +67,7 @@ class Describer {
     using Item = Description::Item;
 
     void mistake(const Location& where, std::string message) {
-        if (mistakes_.size() < enough_mistakes)
+        if (mistakes_.size() < max_mistakes)
             mistakes_.push_back(
                 {where,
                  path_.size() <= longest_path ? path_ : path_.substr(0, longest_path) + "...",
@@ -153,7 +153,7 @@ class Describer {
 
     using Names = std::vector<std::string>;
 
-    // Sorted names and the number of items 1, 2, ...; false when there are other keys.
+    // Reads the number of items 1, 2, ... and the sorted names; false when there are other keys.
     bool read_keys(int index, const Location& where, int& numbers, Names& names) {
         lua_Integer highest = 0;
         bool fine = true;
@@ -194,7 +194,7 @@ class Describer {
         }
     }
 
-    // The value on the stack's top, which it takes; `at` is the item as written, or null.
+    // Pops the value on top of the stack; `at` is the item in the source, or null.
     Item item(const Location& holder, const SourceMap* map, const TableSource::Item* at,
               int depth) {
         const Location where{holder.file, at == nullptr ? holder.line : at->line};
@@ -237,7 +237,7 @@ class Describer {
     Sandbox& sandbox_;
     std::string path_;
     std::vector<Diagnostic> mistakes_;
-    std::unordered_map<const void*, DescriptionNode> known_; // null: being described
+    std::unordered_map<const void*, DescriptionNode> known_; // null: in progress, to find cycles
 };
 
 } // namespace

@@ -22,7 +22,7 @@ std::string_view family_of(const Description& node) {
     return std::string_view(node.kind).substr(0, node.kind.find('.'));
 }
 
-// {} is a table as well as a list.
+// An empty list, {} in Lua, is a table too.
 bool is_table(const Description& value) {
     const auto* list = std::get_if<List>(&value.data);
     return std::holds_alternative<Table>(value.data) || (list != nullptr && list->empty());
@@ -75,7 +75,7 @@ Value Maker::absent(const Description& table, const std::string& path, const Par
         return {};
     if (!std::holds_alternative<std::monostate>(spec.fallback))
         return default_value(spec);
-    if (spec.type == ParamType::record) { // made of its fields' defaults
+    if (spec.type == ParamType::record) { // its default consists of the defaults of its fields
         const Description empty{table.where, {}, Table{}};
         return record({empty, table.where, path + "." + spec.name}, spec);
     }
@@ -144,7 +144,7 @@ SharedObject Maker::make(const Given& given, const Registry<MakeObject>& family)
 Value Maker::made(const Given& given, const Registry<MakeObject>& family) {
     const auto [known, first] = made_.try_emplace(&given.value);
     if (first) {
-        const SharedObject object = make(given, family); // which may make others
+        const SharedObject object = make(given, family); // may change made_
         made_[&given.value] = object;
         return object ? Value(object) : Value();
     }
@@ -166,7 +166,7 @@ Value Maker::texture(const Given& given, const ParamSpec& spec) {
     if (const std::string_view name = family_of(given.value); name == "procedural")
         return made(given, *catalog_.find(name));
     const Description& value = given.value;
-    // The message for a wrong type must offer procedurals too.
+    // The message for a wrong type must mention procedurals too.
     if (!value.kind.empty() ||
         !(std::holds_alternative<List>(value.data) || std::holds_alternative<double>(value.data) ||
           std::holds_alternative<std::int64_t>(value.data)))
@@ -183,7 +183,7 @@ Value Maker::field(const Given& given, const ParamSpec& spec) {
     const Value value = made(given, *catalog_.find(name));
     if (const auto* object = std::get_if<SharedObject>(&value)) {
         const auto field = object->as<Field>();
-        // Any angle is as good as another; other values must be in range wherever one looks.
+        // Angles are periodic and need no check; other values must be in range everywhere.
         constexpr double everywhere = 1e9;
         const Range range = field->over(Box2(Vec2(-everywhere), Vec2(everywhere)));
         if (field->period() == 0 && !(in_range(range.low, spec) && in_range(range.high, spec))) {
@@ -226,7 +226,7 @@ Value Maker::records(const Given& given, const ParamSpec& spec) {
         const Location where{given.value.where.file, item.line};
         if (item.value->kind.empty() && is_table(*item.value)) {
             out.push_back(params(*item.value, path, spec.fields));
-        } else if (spec.fields.size() == 1) { // palette = { {1, 0, 0} }: the one field alone
+        } else if (spec.fields.size() == 1) { // palette = { {1, 0, 0} }: the only field's value
             const ParamSpec& field = spec.fields.front();
             Params one(path, where);
             one.set(field.name, value({*item.value, where, path}, field), where);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Constructors' tables against the plug-ins' declarations, and the objects that they make.
+// Checks constructors' tables against the plug-ins' declarations and makes their objects.
 #pragma once
 
 #include "model/catalog.h"
@@ -9,15 +9,15 @@
 
 namespace scree {
 
-/// Checks nodes and makes what they name, each node once. Mistakes are collected; what could not be
-/// made has no value.
+/// Checks nodes and makes their objects, once for each node. Errors are collected; the value of a
+/// parameter with errors is monostate.
 class Maker {
   public:
     /// Both must outlive this.
     Maker(const Catalog& catalog, Mistakes& mistakes) : catalog_(catalog), mistakes_(mistakes) {}
 
-    /// The fields of a table as parameters with their defaults; notes unknown, missing and wrong
-    /// ones. `path` is the table's own: "generator.layout.components[2]".
+    /// The fields of a table as parameters, with defaults; reports unknown, missing and invalid
+    /// ones. `path` is that of the table: "generator.layout.components[2]".
     Params params(const Description& table, const std::string& path,
                   const std::vector<ParamSpec>& specs);
 

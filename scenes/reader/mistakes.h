@@ -8,7 +8,7 @@
 
 namespace scree {
 
-/// Collects mistakes, so that a user sees all of them at once.
+/// Collects the errors of a scene, so that a user sees all of them at once.
 class Mistakes {
   public:
     void add(Location where, std::string path, std::string message, std::string hint = {}) {
@@ -21,14 +21,14 @@ class Mistakes {
                             error.diagnostics().end());
     }
 
-    /// Something was used again that could not be made: its own mistakes are known already.
+    /// Counts another use of an object that could not be made, whose errors are reported already.
     void add_repeated() { ++repeated_; }
 
-    /// Grows with every mistake, so that whoever finds it unchanged has met none.
+    /// Increases with every error: unchanged after a check means that the check found none.
     std::size_t count() const { return diagnostics_.size() + repeated_; }
 
-    /// Throws what was collected, by file and line, each mistake once; the rest beyond `most` is
-    /// counted.
+    /// Throws the collected errors, if any, sorted by file and line and without duplicates. Those
+    /// beyond `most` are only counted.
     void throw_if_any(std::size_t most = 50) {
         if (diagnostics_.empty())
             return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lua that runs before a script: it takes away what reaches the system, and replaces what would
-// differ from run to run (Lua seeds its hashes and its random numbers anew in every process).
+// Lua code that runs before a script. It removes what gives access to the system and replaces what
+// is not deterministic (Lua seeds its hashes and random numbers differently in every process).
 #include "scenes/reader/sandbox.h"
 
 namespace scree {
@@ -14,7 +14,7 @@ local integer_type, random_seed = math.type, math.randomseed
 local format, match, gmatch, unpack = string.format, string.match, string.gmatch, table.unpack
 local concat, floor = table.concat, math.floor
 
--- An order of keys that is the same every run. Distinct keys only, so any sort will do.
+-- A deterministic total order of keys. Keys are distinct, so the sort need not be stable.
 local rank = { number = 1, string = 2, boolean = 3 }
 local function key_before(a, b)
   local type_a, type_b = type(a), type(b)
@@ -23,7 +23,7 @@ local function key_before(a, b)
   return a < b
 end
 
--- Merge sort: stable, and unlike Lua's own never picks a pivot by the clock.
+-- Merge sort: stable and, unlike Lua's sort, deterministic (Lua's picks pivots by the clock).
 local function sort(list, before)
   before = before or function(a, b) return a < b end
   local count = #list
@@ -119,7 +119,7 @@ function table.sort(list, before)
   sort(list, before)
 end
 
--- Lua's own text of a table holds its address, another one every run.
+-- Lua's text of a table contains its address, which differs from run to run.
 local plain = { ["nil"] = true, boolean = true, number = true, string = true }
 local function stable_text(value)
   if plain[type(value)] then return tostring(value) end
@@ -170,9 +170,9 @@ function _G.setmetatable(of, meta)
   return setmetatable(of, meta)
 end
 
--- The function of a field.function becomes the text of its samples: "columns rows" and the values,
--- from -x to +x and from -z to +z. Whatever cannot be sampled is left for the checks of all
--- parameters, which say why.
+-- Replaces the function of a field.function by the text of its samples: "columns rows" and the
+-- values, from -x to +x and from -z to +z. Invalid parameters are left unchanged here: the check of
+-- all parameters reports them.
 local function sampled(value, x, z)
   local number = value(x, z)
   local wrong
@@ -222,14 +222,15 @@ local function sample(field)
   field.value = concat(lines, " ")
 end
 
--- Constructors: any name of a family, so that a misspelt one is reported with all other mistakes.
+-- Every name in a family is a constructor, so that a misspelt one is reported together with all
+-- other errors.
 for _, family in next, scree_families() do
   _G[family] = setmetatable({}, {
     __index = function(made, name)
       if type(name) ~= "string" then
         error(family .. " is a family; write " .. family .. ".name { ... }", 0)
       end
-      -- So the loader spells field.function: Lua itself takes no keyword for a name.
+      -- The loader rewrites field.function to this, since Lua allows no keyword as a name.
       if family == "field" and name == "Function" then name = "function" end
       local kind = family .. "." .. name
       local make = constructor(kind, kind == "field.function" and sample or nil)

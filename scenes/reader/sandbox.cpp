@@ -24,20 +24,21 @@ namespace scree {
 
 namespace {
 
-constexpr int instructions_between_checks = 200; // close enough to name the right loop
-constexpr std::size_t most_printed = std::size_t{1} << 20;
+constexpr int instructions_between_checks = 200; // few enough to report the right loop
+constexpr std::size_t max_printed = std::size_t{1} << 20;
 constexpr std::uint64_t largest_script = std::uint64_t{16} << 20;
-// A full collection comes before the limit's error, so allocations may exceed it for a moment.
+// Allocations may exceed the limit briefly, since a full garbage collection runs before the error.
 constexpr std::size_t memory_reserve = std::size_t{16} << 20;
 
-// What hooks, the allocator and the signal handler share. One sandbox per process.
+// State shared by the hooks, the allocator and the signal handler. There is one sandbox per
+// process.
 struct Watch {
     const Channel* channel = nullptr;
     const Sandbox* sandbox = nullptr;
     lua_State* main_state = nullptr;
     std::size_t memory_limit = 0;
     std::size_t memory_used = 0;
-    Place place; // where the script was when last seen
+    Place place; // last known place of the script
     volatile std::sig_atomic_t expired = 0;
 };
 Watch watch;
@@ -47,7 +48,7 @@ Watch watch;
     _exit(0);
 }
 
-// While errors unwind the stack there is no script on it: then the last place is the best.
+// While an error unwinds the stack no script is on it; then the last known place is kept.
 void see(Place place) {
     if (place.file >= 0)
         watch.place = place;
@@ -61,7 +62,7 @@ void* allocate(void*, void* old, std::size_t old_size, std::size_t size) {
         return nullptr;
     }
     if (size > freed && watch.memory_used - freed + size > watch.memory_limit + memory_reserve) {
-        // The main state is alive whatever runs; in a coroutine its line is that of the resume.
+        // The main state is always valid; while a coroutine runs its line is that of the resume.
         if (watch.main_state != nullptr)
             see(watch.sandbox->place(watch.main_state));
         return nullptr;
@@ -72,7 +73,8 @@ void* allocate(void*, void* old, std::size_t old_size, std::size_t size) {
     return block;
 }
 
-// First tick: the hook ends the script, at its exact line. Second: it hangs inside one C function.
+// On the first tick the hook ends the script at its exact line. A second tick means that the script
+// is stuck in a C function, where hooks do not run.
 void on_timer(int) {
     if (watch.expired != 0)
         end_at_limit(ScriptMessage::time, watch.place);
@@ -98,7 +100,7 @@ void stop_timer() {
 
 void on_hook(lua_State* state, lua_Debug* event) {
     if (event->event == LUA_HOOKCALL || event->event == LUA_HOOKTAILCALL) {
-        // Only calls of C functions matter: inside them no other hook comes.
+        // Only calls of C functions matter, since no other hook runs inside them.
         lua_getinfo(state, "S", event);
         if (event->what[0] == 'C')
             see(watch.sandbox->place(state));
@@ -114,12 +116,12 @@ void on_hook(lua_State* state, lua_Debug* event) {
     }
 }
 
-// "@#3" is our name for the file with index 3: Lua cuts long names short.
+// The file with index 3 is named "@#3" in Lua, which truncates long names.
 int file_of(const char* source) {
     return source[0] == '@' && source[1] == '#' ? std::atoi(source + 2) : -1;
 }
 
-// Gives a message its place while the stack still stands.
+// Message handler: adds the location to a message before the stack is unwound.
 int add_place(lua_State* state) {
     if (lua_type(state, 1) != LUA_TSTRING) {
         lua_pushfstring(state, "the script raised an error that is not a text but a %s",
@@ -130,7 +132,7 @@ int add_place(lua_State* state) {
     const char* message = lua_tostring(state, 1);
     const bool has_place = message[0] == '#' && message[1] >= '0' && message[1] <= '9';
     if (!has_place && place.file >= 0) {
-        // Lines of the prelude say nothing to users.
+        // Lines of the prelude mean nothing to users.
         if (std::strncmp(message, "scree:", 6) == 0 && std::strchr(message + 6, ' ') != nullptr)
             message = std::strchr(message + 6, ' ') + 1;
         lua_pushfstring(state, "#%d:%d: %s", place.file, place.line, message);
@@ -140,7 +142,8 @@ int add_place(lua_State* state) {
     return 1;
 }
 
-// `function` is no name for Lua, so field.function reaches it as field.Function (see prelude.cpp).
+// `function` is not a valid name in Lua, so field.function is rewritten to field.Function (see
+// prelude.cpp).
 std::string with_lua_names(const std::string& source) {
     std::string out = source;
     const std::vector<LuaToken> tokens = lex_lua(source);
@@ -164,7 +167,7 @@ Sandbox::Sandbox(const Channel& channel, const ScriptOptions& options)
     watch.channel = &channel;
     watch.sandbox = this;
     watch.memory_limit = options.limits.memory;
-    std::setlocale(LC_ALL, "C"); // numbers as text, order of texts
+    std::setlocale(LC_ALL, "C"); // affects number formatting and string comparison
     state_ = lua_newstate(allocate, nullptr);
     if (state_ == nullptr)
         end_at_limit(ScriptMessage::memory, {});
@@ -172,7 +175,7 @@ Sandbox::Sandbox(const Channel& channel, const ScriptOptions& options)
     watch.main_state = state_;
 }
 
-// The state is not closed: the process ends, and closing would run for long on a full heap.
+// The Lua state is not closed: the process ends anyway, and closing a full heap takes long.
 Sandbox::~Sandbox() = default;
 
 Sandbox& Sandbox::of(lua_State* state) {
@@ -224,7 +227,7 @@ void Sandbox::load(lua_State* state, const std::string& path) {
     channel_.send(ScriptMessage::file, path);
     const std::string compilable = with_lua_names(sources_.back());
     std::string_view source = compilable;
-    if (source.starts_with("#")) // as lua itself does, so that #! works
+    if (source.starts_with("#")) // skipped by lua too, for #!
         source.remove_prefix(std::min(source.find('\n'), source.size()));
     const std::string name = fmt::format("@#{}", index);
     if (luaL_loadbufferx(state, source.data(), source.size(), name.c_str(), "t") == LUA_OK)
@@ -241,7 +244,7 @@ const std::string* Sandbox::override_of(const std::string& name) {
 
 void Sandbox::print(std::string_view text) {
     printed_ += text.size();
-    if (printed_ > most_printed)
+    if (printed_ > max_printed)
         throw Error("print(...) may say no more than 1 MiB");
     channel_.send(ScriptMessage::print, text);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The inside of the child: one Lua state that sees only what builds a description.
+// The Lua state inside the child process, which can only build a description.
 #pragma once
 
 #include "scenes/reader/child_process.h"
@@ -12,7 +12,7 @@ struct lua_State;
 
 namespace scree {
 
-/// A line of one of the script's files; `file` is its index in order of reading, -1: not known.
+/// A line of one of the script's files; `file` is its index in order of reading, -1: unknown.
 struct Place {
     int file = -1;
     int line = 0;
@@ -21,15 +21,15 @@ struct Place {
 /// Messages from the child to its parent.
 struct ScriptMessage {
     static constexpr char file = 'f';        // name of the next file that is read
-    static constexpr char print = 'p';       // what print(...) says
-    static constexpr char description = 'd'; // JSON: the end
-    static constexpr char mistakes = 'e';    // JSON list of diagnostics: the end
-    static constexpr char time = 't';        // a Place: the time limit was crossed there
-    static constexpr char memory = 'm';      // a Place: the memory limit was crossed there
+    static constexpr char print = 'p';       // output of print(...)
+    static constexpr char description = 'd'; // JSON; the last message
+    static constexpr char mistakes = 'e';    // JSON list of diagnostics; the last message
+    static constexpr char time = 't';        // Place where the time limit was exceeded
+    static constexpr char memory = 'm';      // Place where the memory limit was exceeded
 };
 
-/// Runs one script. Lives once per process, in a child made for it: a crossed limit ends the
-/// process, so that no pcall of the script can catch it.
+/// Runs one script. There is one sandbox per process, in a child made for it: exceeding a limit
+/// ends the process, so that the script cannot catch it by pcall.
 class Sandbox {
   public:
     Sandbox(const Channel& channel, const ScriptOptions& options);
@@ -37,25 +37,25 @@ class Sandbox {
     Sandbox(const Sandbox&) = delete;
     Sandbox& operator=(const Sandbox&) = delete;
 
-    /// Runs the script and sends what it returned, or its mistakes.
+    /// Runs the script and sends its result or its errors.
     void run(const std::string& path);
 
-    // What the functions that scripts call need:
+    // For the functions that scripts call:
 
     static Sandbox& of(lua_State* state);
-    Place place(lua_State* state) const; // innermost line of a script that is being run
+    Place place(lua_State* state) const; // innermost running line of a script
     Location location(Place place) const;
     Place place_of(const Location& where) const;
     static std::string prefix(Place place); // "#0:14: " before a message, "" for no place
     const std::string& file(int index) const { return files_[static_cast<std::size_t>(index)]; }
     const SourceMap& source_map(int file);
 
-    /// Pushes the compiled script; throws Error when it cannot be read or is not Lua.
+    /// Pushes the compiled script; throws Error when it cannot be read or is not valid Lua.
     void load(lua_State* state, const std::string& path);
 
     const std::vector<std::string>& families() const { return options_.families; }
 
-    /// The value of --set for `name`, or null. Remembers that the script asked.
+    /// The value of --set for `name`, or null. Marks the override as used.
     const std::string* override_of(const std::string& name);
 
     void print(std::string_view text);
@@ -65,7 +65,7 @@ class Sandbox {
         bool open = true;
     };
     std::map<std::string, Include> includes; // by path
-    std::vector<std::string> open_files;     // being run, outermost first
+    std::vector<std::string> open_files;     // those being run, outermost first
 
   private:
     void check_overrides(const std::string& path) const;
@@ -84,22 +84,22 @@ class Sandbox {
 /// Adds the functions of scene scripts to the globals (constructors.cpp).
 void add_scene_functions(lua_State* state);
 
-/// Replaces what could reach the system or differ from run to run; called with the globals and the
-/// scene functions in place (prelude.cpp).
+/// Lua code that removes access to the system and replaces non-deterministic functions. Run after
+/// the globals and the scene functions are set (prelude.cpp).
 extern const std::string_view prelude_source;
 
-/// The value on the stack's top as nodes (lua_value.cpp). Throws Error with every value that is
-/// none: functions, cycles, gaps in lists.
+/// The value on top of the stack as nodes (lua_value.cpp). Throws Error for everything that is not
+/// data: functions, cycles, lists with gaps.
 DescriptionNode describe_value(lua_State* state, Sandbox& sandbox, const std::string& path);
 
-/// What a constructor's table is tagged with, or null for a plain table (constructors.cpp).
+/// The tag of a constructor's table (constructors.cpp).
 struct Tag {
     std::string kind;
     Place place;
 };
 bool read_tag(lua_State* state, int index, Tag& tag);
 
-/// Splits "#0:14: message\n  hint" as Lua code throws it; `fallback` when it has no place.
+/// The parts of a Lua error "#0:14: message\n  hint"; `fallback` is used when it has no place.
 struct LuaMessage {
     Place place;
     std::string text;
@@ -107,7 +107,7 @@ struct LuaMessage {
 };
 LuaMessage parse_lua_message(std::string message, Place fallback);
 
-/// Lua's own messages in the words of this program (lua_message.cpp).
+/// Rewrites Lua's own messages in plainer language (lua_message.cpp).
 std::string plain_words(const std::string& message);
 
 } // namespace scree

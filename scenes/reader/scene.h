@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// description -> scene: every value checked against its declaration, every object made.
+// From a description to a scene draft.
 #pragma once
 
 #include "model/catalog.h"
@@ -8,8 +8,8 @@
 
 namespace scree {
 
-/// Checks the whole description, collecting all mistakes into one Error, and makes its objects but
-/// for what generators bake. `path` is the script's.
+/// Checks every value of the description against its declaration and makes all objects except those
+/// that generators bake. `path` is the script's. Throws one Error with all errors found.
 SceneDraft resolve(const DescriptionNode& root, const std::string& path, const Catalog& catalog);
 
 } // namespace scree

@@ -17,7 +17,7 @@ namespace scree {
 
 namespace {
 
-// The sandbox keeps its own, finer limits; these are for when it fails to.
+// Limits of the operating system, larger than those that the sandbox enforces itself.
 ChildLimits backstop(const ScriptLimits& limits) {
     return {.cpu_seconds = 2 * limits.seconds + 5,
             .wall_seconds = 10 * limits.seconds + 20,
@@ -29,7 +29,7 @@ std::string time_message(const ScriptLimits& limits) {
                        limits.seconds);
 }
 
-// What the child said.
+// The messages of the child.
 class Answer {
   public:
     Answer(const std::string& path, const ScriptOptions& options)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scene scripts: Lua in a child process that can only build a description.
+// Runs scene scripts: Lua in a child process that can only build a description.
 #pragma once
 
 #include "scenes/reader/description.h"
@@ -9,22 +9,23 @@
 
 namespace scree {
 
-/// What a script may use; generous for real scenes.
+/// Resource limits of a script, far above the needs of usual scenes.
 struct ScriptLimits {
     double seconds = 10;                         // of processor time
     std::size_t memory = std::size_t{512} << 20; // [bytes]
 };
 
 struct ScriptOptions {
-    std::vector<std::string> families{};            // "mesh", ...: what constructors belong to
+    std::vector<std::string> families{};            // of the constructors: "mesh", ...
     std::map<std::string, std::string> overrides{}; // of --set, by name
     ScriptLimits limits{};
-    std::function<void(std::string_view)> print{}; // gets what print(...) says; empty: stderr
+    std::function<void(std::string_view)>
+        print{}; // receives the output of print(...); empty: stderr
 };
 
-/// Runs the script in a forked child and returns what it returned. The same script and overrides
-/// give the same description. Throws Error (input) with file and line for mistakes of the script
-/// and for crossed limits, Error (resource) when no child can be started.
+/// Runs the script in a forked child and returns its result. Deterministic: equal scripts and
+/// overrides give equal descriptions. Throws Error (input) with file and line for errors in the
+/// script and exceeded limits, Error (resource) when no child can be started.
 DescriptionNode run_script(const std::string& path, const ScriptOptions& options);
 
 } // namespace scree

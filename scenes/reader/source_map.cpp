@@ -8,7 +8,7 @@
 namespace scree {
 
 const TableSource::Item* TableSource::named(std::string_view name) const {
-    // The last one wins, as in Lua.
+    // The last of several equal names is used, as in Lua.
     const auto found = std::find_if(items.rbegin(), items.rend(),
                                     [&](const Item& item) { return item.name == name; });
     return found == items.rend() ? nullptr : &*found;
@@ -33,7 +33,7 @@ bool closes(const LuaToken& token) {
     return token.is("}") || token.is(")") || token.is("]") || token.is("end") || token.is("until");
 }
 
-// The dotted name before the brace at `brace`, with or without one parenthesis between.
+// Finds the dotted name before the token `brace`, optionally followed by one parenthesis.
 void find_callee(const Tokens& tokens, std::size_t brace, TableSource& table) {
     std::size_t at = brace;
     if (at > 0 && tokens[at - 1].is("("))
@@ -50,7 +50,7 @@ void find_callee(const Tokens& tokens, std::size_t brace, TableSource& table) {
     table.callee_line = tokens[first].line;
 }
 
-// One pass over the tokens with a stack of what is open.
+// Finds the tables in one pass over the tokens, with a stack of open brackets and blocks.
 class TableFinder {
   public:
     explicit TableFinder(const Tokens& tokens) : tokens_(tokens) {}
@@ -78,7 +78,7 @@ class TableFinder {
     struct Open {
         int table = -1; // -1: a parenthesis, bracket or block
         bool between_items = false;
-        std::size_t value = 0; // token where the current item's value begins
+        std::size_t value = 0; // first token of the current item's value
     };
 
     bool in_table() const { return !open_.empty() && open_.back().table >= 0; }
@@ -138,7 +138,7 @@ const TableSource* SourceMap::find(std::string_view kind, int line,
         const auto shared = std::count_if(names.begin(), names.end(), [&](const std::string& name) {
             return table.named(name) != nullptr;
         });
-        // Under another name (local m = mesh.box) a table must have all the fields.
+        // A call under another name (local m = mesh.box) matches only if it has all the fields.
         const bool same_name = table.callee == kind;
         if (!same_name && (table.callee.empty() || shared != std::ssize(names)))
             continue;

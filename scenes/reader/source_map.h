@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the fields of a script's tables stand. Lua knows the line of a call, not of a field.
+// The lines of the fields of a script's tables: Lua reports the lines of calls but not of fields.
 #pragma once
 
 #include <map>
@@ -9,15 +9,15 @@
 
 namespace scree {
 
-/// One `{ ... }` of a script, perhaps an argument as in `generator.layout { ... }`.
+/// A table constructor `{ ... }` in a script, often an argument as in `generator.layout { ... }`.
 struct TableSource {
     struct Item {
         std::string name; // "" for a positional item
         int line = 0;
-        int table = -1; // index of the value when it is itself written as `{ ... }`
+        int table = -1; // index of the value's table when it is written as `{ ... }`
     };
 
-    std::string callee; // "generator.layout"; "" when it is no argument of a named function
+    std::string callee; // "generator.layout"; "" when it is not an argument of a named function
     int callee_line = 0;
     int line = 0; // of the opening brace
     std::vector<Item> items;
@@ -26,13 +26,13 @@ struct TableSource {
     const Item* positional(std::size_t index) const; // 0-based
 };
 
-/// All tables of one script.
+/// All table constructors of one script.
 class SourceMap {
   public:
     explicit SourceMap(std::string_view source);
 
-    /// The table that the call `kind { ... }` on `line` was given, or null when none is likely.
-    /// `names` are the fields that it has, which tell apart several tables of one line.
+    /// The table constructor that is the argument of the call `kind { ... }` on `line`, or null
+    /// when none matches. `names` are its fields, which distinguish several tables on one line.
     const TableSource* find(std::string_view kind, int line,
                             const std::vector<std::string>& names) const;
 

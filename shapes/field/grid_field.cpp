@@ -10,13 +10,13 @@ namespace scree {
 
 namespace {
 
-constexpr int most_cells = 8; // along a side, that are looked at one by one
-constexpr int smallest_block = 4;
-constexpr int most_blocks = 4;
+constexpr int max_cells = 8;      // per axis; a box over more cells uses the pyramid
+constexpr int smallest_block = 4; // [cells]
+constexpr int max_blocks = 4;     // per axis, if the box is aligned to them
 
 /// The field inside one cell, from its samples at (0, 0), (1, 0), (0, 1) and (1, 1). Interpolated
-/// along x first; an angle takes the shorter way in each step. Cells agree along their common
-/// side, since there only that side's two samples matter.
+/// along x, then along z; angles by the shorter turn in both steps. Neighbouring cells agree on
+/// their common side, where only the two samples of that side have weight.
 struct Cell {
     double a, b, c, d;
     bool angle, stepped;
@@ -38,7 +38,7 @@ struct Cell {
         return low + t * difference(low, far_side(s));
     }
 
-    /// Over the part [s0, s1] x [t0, t1]. A bilinear function has its extremes at the corners.
+    /// The range over [s0, s1] x [t0, t1]. A bilinear function has its extremes at the corners.
     Range over(double s0, double s1, double t0, double t1) const {
         if (stepped) {
             const auto [low, high] =
@@ -50,7 +50,7 @@ struct Cell {
         double rise0 = far_side(s0) - low0, rise1 = far_side(s1) - low1;
         if (angle) {
             const double turns = full_turns(rise0);
-            if (turns != full_turns(rise1)) // from side to side the shorter way changes: a jump
+            if (turns != full_turns(rise1)) // the shorter turn changes direction: a jump
                 return {0, 360};
             rise0 -= 360 * turns;
             rise1 -= 360 * turns;
@@ -107,7 +107,7 @@ GridField::Span GridField::span(const Box2& box, unsigned axis) const {
         return std::floor((coordinate - grid_.first[axis]) / grid_.step[axis]);
     };
     const double length = cell_number(box.max[axis]) - cell_number(box.min[axis]);
-    if (!(length < count)) // all of it, or beyond the numbers' reach
+    if (!(length < count)) // the whole period, or not a number
         return {{0, 0}, {count - 1, 1}};
     Span out{position(box.min[axis], axis), position(box.max[axis], axis)};
     out.to.cell = out.from.cell + static_cast<int>(length);
@@ -124,7 +124,7 @@ double GridField::at(const Vec2& point) const {
 Range GridField::over(const Box2& box) const {
     const Span x = span(box, 0);
     const Span z = span(box, 1);
-    const bool few = std::max(x.count(), z.count()) <= most_cells;
+    const bool few = std::max(x.count(), z.count()) <= max_cells;
     return few ? over_cells(x, z) : over_blocks(x, z);
 }
 
@@ -145,10 +145,10 @@ Range GridField::over_cells(const Span& x, const Span& z) const {
 Range GridField::over_blocks(const Span& x, const Span& z) const {
     std::size_t index = 0;
     while (index + 1 < levels_.size() &&
-           std::max(x.count(), z.count()) > most_blocks * levels_[index].block)
+           std::max(x.count(), z.count()) > max_blocks * levels_[index].block)
         ++index;
     const Level& level = levels_[index];
-    // Blocks of an axis, in two runs where the span goes beyond a torus's last cell.
+    // The first and last block of a span; a second run where it wraps around a torus.
     const auto runs = [&](const Span& span, unsigned axis) {
         const int last = cells(axis) - 1;
         std::array<std::array<int, 2>, 2> out{
@@ -168,12 +168,12 @@ Range GridField::over_blocks(const Span& x, const Span& z) const {
 }
 
 void GridField::build_levels() {
-    if (std::max(cells(0), cells(1)) <= most_cells)
+    if (std::max(cells(0), cells(1)) <= max_cells)
         return;
     for (int block = smallest_block;; block *= 2) {
         Level level{block, (cells(0) + block - 1) / block, (cells(1) + block - 1) / block, {}};
         level.ranges.reserve(std::size_t(level.columns) * std::size_t(level.rows));
-        // The lowest level sums cells, every other one the blocks of the level below.
+        // The lowest level combines cells, every other one 2 x 2 blocks of the level below.
         const Level* below = levels_.empty() ? nullptr : &levels_.back();
         const int part = below == nullptr ? block : 2;
         const int columns = below == nullptr ? cells(0) : below->columns;

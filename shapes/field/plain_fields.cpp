@@ -58,7 +58,7 @@ Range WhirlField::over(const Box2& box) const {
         const Vec2 to = corner - centre_;
         const double sine = cross(to_middle, to);
         const double cosine = to_middle.dot(to);
-        // The tangent of a small angle is larger by less than 3%, and quicker than the angle.
+        // For a small angle its tangent is an upper bound, less than 3% too large, and cheaper.
         const double turn =
             degrees(std::abs(sine) < 0.3 * cosine ? sine / cosine : std::atan2(sine, cosine));
         low = std::min(low, turn);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields given by a formula.
+// Fields defined by a formula.
 #pragma once
 
 #include "geometry/plane/field.h"
 
 namespace scree {
 
-/// A ramp from `values.low` at `from` to `values.high` at `to`, constant beyond both; across the
-/// line between them, or when radial in circles about `from`. The two points differ.
+/// A linear ramp from `values.low` at `from` to `values.high` at `to`, constant beyond both. Its
+/// level lines are perpendicular to the line between the points, or circles about `from` when
+/// `radial`. The two points must differ.
 class GradientField final : public Field {
   public:
     GradientField(const Vec2& from, const Vec2& to, const Range& values, bool radial)
@@ -24,8 +25,8 @@ class GradientField final : public Field {
     bool radial_;
 };
 
-/// The direction away from `centre`, turned from +x towards +z by `turn` [deg]; an angle in
-/// [0, 360). It jumps at the centre alone, where it is `turn`.
+/// The direction away from `centre`, rotated by `turn` [deg] from +x towards +z; an angle in
+/// [0, 360). It is discontinuous only at the centre, where it is `turn`.
 class WhirlField final : public Field {
   public:
     WhirlField(const Vec2& centre, double turn) : centre_(centre), turn_(turn) {}

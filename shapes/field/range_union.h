@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Angles in degrees that mean the same when they differ by whole turns, and ranges of them.
+// Angles in degrees, equal when they differ by full turns, and ranges of them.
 #pragma once
 
 #include "geometry/plane/field.h"
@@ -8,10 +8,10 @@
 
 namespace scree {
 
-/// The number of whole turns nearest to an angle.
+/// The number of full turns nearest to an angle.
 inline double full_turns(double angle) { return std::round(angle / 360); }
 
-/// The same turn by at most half a turn either way.
+/// The same angle in [-180, 180].
 inline double shorter_turn(double angle) { return angle - 360 * full_turns(angle); }
 
 /// The same angle in [0, 360).
@@ -20,7 +20,8 @@ inline double positive_angle(double angle) {
     return positive < 360 ? positive : 0;
 }
 
-/// The smallest range around several; for angles, one that holds them all but for whole turns.
+/// The smallest range that contains several; for angles, a range that contains them modulo full
+/// turns.
 class RangeUnion {
   public:
     explicit RangeUnion(bool angle) : angle_(angle) {}
@@ -39,7 +40,7 @@ class RangeUnion {
         all_ = {std::min(all_.low, range.low), std::max(all_.high, range.high)};
     }
 
-    /// Of angles: the lower end lies in [0, 360), and nothing is longer than one turn.
+    /// For angles the lower end lies in [0, 360) and the length is at most 360.
     Range range() const {
         if (!angle_)
             return all_;

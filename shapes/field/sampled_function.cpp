@@ -13,7 +13,7 @@ namespace scree {
 
 namespace {
 
-/// Takes the next number from the front of `text`, with the space before it.
+/// Parses the next number and removes it, with the space before it, from `text`.
 template <class Number>
 std::optional<Number> take(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));

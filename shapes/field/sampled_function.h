@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The text that a script's function becomes: "columns rows" and the values row by row, each row
-// from -x to +x, the rows from -z to +z.
+// The text format of a script's sampled function: "columns rows", then the values row by row, each
+// row from -x to +x, the rows from -z to +z.
 #pragma once
 
 #include "shapes/field/grid_field.h"
@@ -9,8 +9,8 @@
 
 namespace scree {
 
-/// The samples of `text`, which the scene reader wrote or a JSON scene holds. Throws Error when it
-/// is no such text; `most` is the largest number of columns or rows.
+/// Parses such a text, which the scene reader writes and a JSON scene contains. `most` is the
+/// maximum number of columns and of rows. Throws Error for an invalid text.
 SampleGrid parse_samples(std::string_view text, int most);
 
 } // namespace scree

@@ -36,12 +36,7 @@ ParamSpec centre(std::string doc) {
 }
 
 ParamSpec value(std::string name, std::string doc, double fallback) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .fallback = fallback,
-            .min = -1e9,
-            .max = 1e9};
+    return number_spec(std::move(name), std::move(doc), "", fallback, -1e9, 1e9);
 }
 
 ParamSpec flag(std::string name, std::string doc) {
@@ -52,15 +47,15 @@ ParamSpec flag(std::string name, std::string doc) {
 }
 
 ParamSpec angle_flag() {
-    return flag("angle", "The values are directions in degrees: 359 lies beside 0.");
+    return flag("angle", "The values are directions in degrees: 359 is next to 0.");
 }
 
 ParamSpec nearest_flag() {
-    return flag("nearest", "The nearest sample's value instead of a mixture: for classes.");
+    return flag("nearest", "Takes the nearest sample instead of interpolating: for class numbers.");
 }
 
-/// Lays `grid` out over width x depth about the centre. With samples `at_border` the outermost
-/// ones stand on the border, otherwise all stand in the middle of equal cells.
+/// A field of `grid` over width x depth about the centre. When `at_border`, the outermost samples
+/// lie on the border, otherwise every sample lies in the middle of one of equal cells.
 FieldPointer laid_out(const Params& params, SampleGrid grid, bool at_border) {
     const Vec2 size(params.number("width"), params.number("depth"));
     const Vec2 counts(grid.columns, grid.rows);
@@ -99,22 +94,22 @@ Plugin<MakeField> image_plugin() {
     high.fallback = {};
     high.optional = true;
     return {"image",
-            "An image stretched over the ground, its top row on the far side (-z); data as stored, "
-            "without colour conversion, between pixels interpolated bilinearly.",
+            "An image stretched over the ground, its top row on the far side (-z); values as "
+            "stored, without colour conversion, interpolated bilinearly between pixels.",
             {{.name = "path", .type = ParamType::path, .doc = "A PNG, JPEG or EXR."},
              extent("width", "Of the whole image along x."),
              extent("depth", "Of the whole image along z."),
              {.name = "channel",
               .type = ParamType::choice,
-              .doc = "What to take of a pixel.",
+              .doc = "Which channel of the image gives the value.",
               .fallback = std::string("luminance"),
               .choices = {"luminance", "r", "g", "b", "a"}},
              value("low", "Value of a pixel of 0.", 0),
              std::move(high),
              angle_flag(),
              nearest_flag(),
-             flag("torus", "The image repeats; otherwise its border goes on outside."),
-             centre("Where the middle of the image lies.")},
+             flag("torus", "The image repeats; otherwise its border values extend outwards."),
+             centre("Position of the middle of the image.")},
             image_field};
 }
 
@@ -131,7 +126,7 @@ Plugin<MakeField> function_plugin() {
             {{.name = "value",
               .type = ParamType::function,
               .doc = "Gives the value at a point, in metres: function(x, z) return ... end."},
-             extent("width", "Of the grid along x; outside it the border's values go on."),
+             extent("width", "Of the grid along x; its border values extend outwards."),
              extent("depth", "Of the grid along z."),
              {.name = "resolution",
               .type = ParamType::integer,
@@ -142,17 +137,17 @@ Plugin<MakeField> function_plugin() {
              angle_flag(),
              nearest_flag(),
              flag("torus", "The grid repeats."),
-             centre("Where the middle of the grid lies.")},
+             centre("Position of the middle of the grid.")},
             function_field};
 }
 
 Plugin<MakeField> gradient_plugin() {
     return {"gradient",
             "A ramp between two points, constant beyond them.",
-            {place("from", "Where it begins."), place("to", "Where it ends."),
-             value("low", "Value where it begins, and before.", 0),
-             value("high", "Value where it ends, and beyond.", 1),
-             flag("radial", "In circles about `from`, instead of straight across.")},
+            {place("from", "Start of the ramp."), place("to", "End of the ramp."),
+             value("low", "Value at the start and before it.", 0),
+             value("high", "Value at the end and beyond it.", 1),
+             flag("radial", "Level lines are circles about `from` instead of straight lines.")},
             [](const Params& params) -> FieldPointer {
                 const Vec2& from = params.vector2("from");
                 const Vec2& to = params.vector2("to");
@@ -167,12 +162,13 @@ Plugin<MakeField> gradient_plugin() {
 
 Plugin<MakeField> whirl_plugin() {
     return {"whirl",
-            "Directions about a centre, in degrees.",
-            {centre("Where the directions meet."),
-             // Declared without a unit: the field has degrees, as the script.
+            "Directions around a centre, in degrees.",
+            {centre("The centre."),
+             // Declared without a unit, since the values of the field are in degrees too.
              {.name = "turn",
               .type = ParamType::number,
-              .doc = "Degrees from outwards: 0 gives rays, 90 circles, what is between spirals.",
+              .doc = "Rotation from the outward direction, in degrees: 0 gives rays, 90 circles, "
+                     "between them spirals.",
               .fallback = 90.0,
               .min = -360.0,
               .max = 360.0}},

@@ -8,10 +8,10 @@ namespace scree {
 
 namespace {
 
-constexpr int around = 40;
+constexpr int banana_sides = 40;
 constexpr int along = 72;
 
-// Radius by share of length, from the cut stem to the tip; the widest place is 1.
+// (share of the length, radius) from the cut stem to the tip; the largest radius is 1.
 const std::vector<Vec2>& radius_knots() {
     static const std::vector<Vec2> knots{
         {0.00, 0.27}, {0.03, 0.25}, {0.07, 0.235}, {0.11, 0.25},  {0.15, 0.31},  {0.20, 0.46},
@@ -20,11 +20,11 @@ const std::vector<Vec2>& radius_knots() {
     return knots;
 }
 
-// A five-sided section with soft ridges, strongest in the middle of the fruit.
+// A cross-section with five soft ridges, which are strongest in the middle of the fruit.
 Ring section(double radius, double ridge) {
     Ring ring;
-    for (int i = 0; i < around; ++i) {
-        const double angle = 2 * pi * i / around;
+    for (int i = 0; i < banana_sides; ++i) {
+        const double angle = 2 * pi * i / banana_sides;
         const double five = 5 * (angle - pi / 2);
         const double r =
             radius * (1 + ridge * (0.06 * std::cos(five) + 0.016 * std::cos(2 * five)));
@@ -37,7 +37,7 @@ Mesh banana(const Params& params) {
     const double widest = params.number("thickness") / 2;
     const double bend = params.number("bend");
 
-    // Bent most where the stem passes into the fruit.
+    // The curvature is largest where the stem meets the fruit.
     std::vector<double> curvature;
     double sum = 0;
     for (int i = 0; i < 200; ++i) {
@@ -54,10 +54,10 @@ Mesh banana(const Params& params) {
     const auto add = [&](double t, double radius, double ridge) {
         rings.push_back(axis.place(section(radius * widest, ridge), t));
     };
-    // The cut face of the stem, a little hollow; then its rounded rim.
+    // The slightly hollow cut face of the stem, then its rounded rim.
     const double stem = radius_knots().front().y;
     const double rim = 0.06 * stem * widest;
-    rings.push_back(axis.place(Ring(around, Vec2(0.0)), 0.25 * stem * widest));
+    rings.push_back(axis.place(Ring(banana_sides, Vec2(0.0)), 0.25 * stem * widest));
     add(0.12 * stem * widest, 0.7 * stem, 0);
     add(0, 0.92 * stem, 0.6);
     add(0.3 * rim, 0.975 * stem, 0.6);
@@ -70,10 +70,10 @@ Mesh banana(const Params& params) {
     add(1 + 0.05 * tip * widest, 0.95 * tip, 0);
     add(1 + 0.12 * tip * widest, 0.8 * tip, 0);
     add(1 + 0.10 * tip * widest, 0.45 * tip, 0);
-    rings.push_back(axis.place(Ring(around, Vec2(0.0)), 1 + 0.08 * tip * widest));
+    rings.push_back(axis.place(Ring(banana_sides, Vec2(0.0)), 1 + 0.08 * tip * widest));
 
     Mesh mesh = loft(rings);
-    // The chord from stem to tip along x.
+    // Rotated so that the chord from stem to tip lies along x.
     const Vec3 chord = rings.back().front() - rings.front().front();
     transform(mesh, Matrix().setEulerAngles(Vec3(0, std::atan2(chord.z, chord.x), 0)));
     normalise_size(mesh, params.number("length"));

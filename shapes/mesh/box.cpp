@@ -42,13 +42,13 @@ Mesh box(const Params& params) {
                        params.number("rounding") * shortest / 2);
 }
 
-// A wooden toy cube: soft edges and a shallow sunk panel on every face.
+// A wooden toy cube with rounded edges and a shallow recessed panel on every face.
 Mesh block(const Params& params) {
     const double size = params.number("size");
     const double depth = params.number("panel") * size;
     if (depth <= 0)
         return rounded_box(Vec3(static_cast<float>(size)), 0.07 * size);
-    const double rim = 0.78; // where the panel's slope begins and ends, as shares of the flat face
+    const double rim = 0.78; // the panel slopes from `rim` to `floor`, shares of the flat face
     const double floor = 0.72;
     Mesh mesh = rounded_box(Vec3(static_cast<float>(size)), 0.07 * size, {-rim, -floor, floor, rim},
                             [&](double u, double v) {

@@ -8,10 +8,10 @@ namespace scree {
 
 namespace {
 
-constexpr int around = 48;
+constexpr int chestnut_sides = 48;
 constexpr int steps = 3;
 
-// Half width and height of the outline from the pale base (its rim a shallow step) to the tip.
+// (half width, height) of the outline from the pale base, whose rim is a shallow step, to the tip.
 constexpr double outline[][2] = {{0.00, -0.74},  {0.28, -0.755}, {0.50, -0.745}, {0.63, -0.715},
                                  {0.665, -0.70}, {0.70, -0.685}, {0.80, -0.60},  {0.92, -0.38},
                                  {0.99, -0.10},  {0.995, 0.12},  {0.92, 0.37},   {0.77, 0.58},
@@ -45,26 +45,26 @@ Ring smooth_outline() {
 Mesh chestnut(const Params& params) {
     const double half_width = params.number("width") / 2;
     const double thickness = params.number("thickness");
-    // Grown against its neighbour: one cheek is flat, the other full.
+    // Chestnuts grow in pairs: one cheek is flat, the other round.
     const double full = 1.3 * thickness;
     const double flat = 0.7 * thickness;
     std::vector<SpaceRing> rings;
     for (const Vec2& p : smooth_outline()) {
         SpaceRing ring;
-        for (int i = 0; i < around; ++i) {
-            const double angle = 2 * pi * i / around;
+        for (int i = 0; i < chestnut_sides; ++i) {
+            const double angle = 2 * pi * i / chestnut_sides;
             const double c = std::cos(angle);
             const double s = std::sin(angle);
             const double cheek = s < 0 ? full * -s : -flat * std::pow(s, 0.62);
-            // The tip grows out of the middle of both cheeks, leaning to the flat one.
+            // The tip lies between the cheeks, closer to the flat one.
             const double round = std::clamp((p.y - 0.85) / 0.2, 0.0, 1.0);
             const double depth = cheek * (1 - round) + -s * round;
             const Imath::V3d at(p.x * c, p.y * 0.86, p.x * depth);
-            // Laid on the flat cheek: z becomes up.
+            // Rotated onto the flat cheek: z becomes y.
             ring.emplace_back(Imath::V3d(at.x, at.z, -at.y) * half_width);
         }
         if (p.x <= 0)
-            ring = pole(around, Vec3(Imath::V3d(0, 0, -0.86 * p.y) * half_width));
+            ring = pole(chestnut_sides, Vec3(Imath::V3d(0, 0, -0.86 * p.y) * half_width));
         rings.push_back(std::move(ring));
     }
     Mesh mesh = loft(rings);

@@ -26,39 +26,20 @@ Plugin<MakeMesh> component(std::string name, std::string doc, std::vector<ParamS
 }
 
 ParamSpec metres(std::string name, std::string doc, double fallback) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = "m",
-            .fallback = fallback,
-            .min = 1e-4,
-            .max = 100.0};
+    return number_spec(std::move(name), std::move(doc), "m", fallback, 1e-4, 100);
 }
 
 ParamSpec optional_metres(std::string name, std::string doc) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = "m",
-            .optional = true,
-            .min = 1e-4,
-            .max = 100.0};
+    return optional_number_spec(std::move(name), std::move(doc), "m", 1e-4, 100);
 }
 
 ParamSpec ratio(std::string name, std::string doc, double fallback, double min, double max) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .fallback = fallback,
-            .min = min,
-            .max = max};
+    return number_spec(std::move(name), std::move(doc), "", fallback, min, max);
 }
 
 ParamSpec angle_degrees(std::string name, std::string doc, double fallback, double min,
                         double max) {
-    ParamSpec spec = ratio(std::move(name), std::move(doc), fallback, min, max);
-    spec.unit = "deg";
-    return spec;
+    return number_spec(std::move(name), std::move(doc), "deg", fallback, min, max);
 }
 
 ParamSpec count(std::string name, std::string doc, int fallback, int min, int max) {

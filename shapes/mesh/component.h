@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all components share: how they are declared and how they lie.
+// Shared by all component meshes: declaration, parameters and placement on the ground.
 #pragma once
 
 #include "shapes/table.h"
 
 namespace scree {
 
-/// A component plug-in. `shape` may build its mesh anywhere; it is moved so that its bounding box
-/// is centred on the y axis and its lowest point is at y = 0, and named after the component.
+/// A component plug-in. `shape` may build its mesh anywhere: the mesh is translated so that its
+/// bounding box is centred on the y axis and its lowest point lies at y = 0, and is named after the
+/// component.
 Plugin<MakeMesh> component(std::string name, std::string doc, std::vector<ParamSpec> params,
                            std::function<MakeMesh> shape);
 
 /// A length in metres, 0.1 mm to 100 m.
 ParamSpec metres(std::string name, std::string doc, double fallback);
 
-/// A length in metres that follows from others when it is not given.
+/// An optional length in metres, whose default depends on other parameters.
 ParamSpec optional_metres(std::string name, std::string doc);
 
-/// A plain number in [min, max].
+/// A number in [min, max], without unit.
 ParamSpec ratio(std::string name, std::string doc, double fallback, double min, double max);
 
-/// An angle; all three in degrees, the shape sees radians.
+/// An angle; `fallback`, `min` and `max` are in degrees, the shape gets radians.
 ParamSpec angle_degrees(std::string name, std::string doc, double fallback, double min, double max);
 
 /// A count in [min, max].
 ParamSpec count(std::string name, std::string doc, int fallback, int min, int max);
 
-/// The value of an optional length, or `otherwise`.
+/// The value of an optional length, or `otherwise` when it is not given.
 double number_or(const Params& params, const std::string& name, double otherwise);
 
 Plugin<MakeMesh> plane_component();

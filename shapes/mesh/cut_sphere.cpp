@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mesh.cut_sphere: a ball with a wedge or an octant taken out, so that its inside shows.
+// mesh.cut_sphere: a ball with a wedge or an octant cut out, so that its inside is visible.
 #include "shapes/mesh/component.h"
 
 #include <algorithm>
@@ -10,13 +10,12 @@ namespace {
 
 struct Cut {
     double radius;
-    double angle; // of the wedge, in the middle of which lies +z
-    double floor; // height above the centre; -radius: none
+    double angle; // of the wedge, which is symmetric about +z
+    double floor; // height of the wedge's floor above the centre; -radius: no floor
 };
 
-// A strip between two rows of points as long as each other, whose triangles are counter-clockwise
-// when `upper` lies to the left of the way along `lower`. Quads that shrink to an edge or a point
-// are left out.
+// Adds a strip between two rows of `columns` + 1 vertices. Its triangles are counter-clockwise when
+// `upper` lies to the left of `lower`. Degenerate triangles are left out.
 void add_strip(Mesh& mesh, std::uint32_t lower, std::uint32_t upper, std::uint32_t columns) {
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         const std::vector<Vec3>& p = mesh.positions;
@@ -29,7 +28,7 @@ void add_strip(Mesh& mesh, std::uint32_t lower, std::uint32_t upper, std::uint32
     }
 }
 
-// Heights and widths of the circles of latitude. The poles and the floor are exact.
+// (radius, height) of circles of latitude. The poles have exactly radius 0.
 std::vector<Vec2> latitudes(double radius, double from, double to, int steps) {
     std::vector<Vec2> out;
     for (int k = 0; k <= steps; ++k) {
@@ -40,7 +39,7 @@ std::vector<Vec2> latitudes(double radius, double from, double to, int steps) {
     return out;
 }
 
-// The ball's skin between `angles` about the axis, from +z towards +x.
+// The surface of the ball; `angles` are measured about the y axis from +z towards +x.
 void add_skin(Mesh& mesh, const std::vector<Vec2>& rows, const std::vector<double>& angles,
               double radius) {
     const auto columns = static_cast<std::uint32_t>(angles.size() - 1);
@@ -62,14 +61,14 @@ Vec2f flat_uv(double x, double y, double radius) {
     return {static_cast<float>(0.5 + 0.5 * x / radius), static_cast<float>(0.5 + 0.5 * y / radius)};
 }
 
-// The half disc from the axis to the skin at `angle`, seen from within the cut.
+// The half disc between the axis and the ball's surface at `angle`, facing into the wedge.
 void add_wall(Mesh& mesh, const std::vector<Vec2>& rows, double angle, double radius) {
-    const double side = angle > 0 ? 1 : -1; // at which the wall stands, seen from +z
+    const double side = angle > 0 ? 1 : -1; // right or left of the wedge, seen from +z
     const Imath::V3d normal(-side * std::cos(angle), 0, side * std::sin(angle));
     for (std::size_t j = 0; j < rows.size(); ++j) {
         const auto base = static_cast<std::uint32_t>(mesh.positions.size());
         const double width = rows[j].x;
-        // From left to right as seen from within.
+        // From left to right as seen from inside the wedge.
         for (const double x : {side > 0 ? 0.0 : width, side > 0 ? width : 0.0}) {
             mesh.positions.emplace_back(
                 Imath::V3d(x * std::sin(angle), rows[j].y, x * std::cos(angle)));
@@ -81,7 +80,7 @@ void add_wall(Mesh& mesh, const std::vector<Vec2>& rows, double angle, double ra
     }
 }
 
-// The sector that the wedge stands on.
+// The circular sector that forms the floor of the wedge.
 void add_floor(Mesh& mesh, const Vec2& rim, const std::vector<double>& angles, double radius) {
     const auto center = static_cast<std::uint32_t>(mesh.positions.size());
     const auto add = [&](double x, double z) {

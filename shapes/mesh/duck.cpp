@@ -13,12 +13,12 @@ Vec3d turned(const Vec3d& p, const Vec3d& pivot, double angle) { // about z
     return {pivot.x + q.x, pivot.y + q.y, p.z};
 }
 
-// A bath duck of about unit length that looks along +x.
+// The signed field of a bath duck of about unit length that faces +x.
 double field(const Vec3d& point) {
     const Vec3d p(point.x, point.y, std::abs(point.z));
     double body = ellipsoid(p, {0, 0, 0}, {0.46, 0.30, 0.335});
     body = smooth_union(body, ellipsoid(p, {0.16, 0.03, 0}, {0.29, 0.28, 0.29}), 0.1);
-    // Tail: swept up and back.
+    // Tail, pointing up and back.
     const Vec3d tail = turned(p, {-0.40, 0.15, 0}, radians(-38));
     body = smooth_union(body, ellipsoid(tail, {-0.40, 0.15, 0}, {0.19, 0.075, 0.14}), 0.16);
     // Wings.
@@ -29,13 +29,13 @@ double field(const Vec3d& point) {
     // Neck and head.
     body = smooth_union(body, ellipsoid(p, {0.25, 0.28, 0}, {0.16, 0.17, 0.155}), 0.14);
     body = smooth_union(body, ellipsoid(p, {0.275, 0.475, 0}, {0.215, 0.205, 0.20}), 0.05);
-    // Beak, with a bill that turns up.
+    // Beak, with an upturned bill.
     const Vec3d bill = turned(p, {0.46, 0.44, 0}, radians(10));
     body = smooth_union(body, ellipsoid(bill, {0.50, 0.435, 0}, {0.125, 0.05, 0.10}), 0.035);
     body = smooth_union(body, ellipsoid(p, {0.475, 0.405, 0}, {0.095, 0.045, 0.075}), 0.02);
     // Eyes.
     body = smooth_union(body, (p - Vec3d(0.371, 0.524, 0.106)).length() - 0.072, 0.008);
-    // A flat foot to stand on.
+    // A flat base.
     const double foot = -0.235 - p.y;
     return -smooth_union(-body, -foot, 0.05);
 }

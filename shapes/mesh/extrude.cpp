@@ -13,7 +13,7 @@ namespace scree {
 
 namespace {
 
-constexpr double crease = radians(30);
+constexpr double extrusion_crease = radians(30);
 
 Vec3 raise(const Vec2& p, double y) {
     return {static_cast<float>(p.x), static_cast<float>(y), static_cast<float>(-p.y)};
@@ -26,7 +26,7 @@ SpaceRing raise(const Ring& ring, double y) {
     return out;
 }
 
-// The rounded wall of one ring, from the edge of the lower cap to that of the upper one.
+// The rounded wall of one ring, from the edge of the lower cap to that of the upper cap.
 Mesh wall(const Ring& ring, double height, double bevel, int bevel_segments) {
     std::vector<SpaceRing> levels;
     for (int k = 0; k <= bevel_segments && bevel > 0; ++k) {
@@ -61,9 +61,10 @@ void add_cap(Mesh& mesh, const Region& plan, const Box2& frame, double y, bool u
     append(mesh, cap);
 }
 
-// Long thin cap triangles weigh little at some vertices; their plane is known exactly.
+// Sets the normals of the caps exactly: averaged normals are inaccurate where long thin cap
+// triangles have a small angle.
 void flatten_cap_normals(Mesh& mesh, float top) {
-    const auto limit = static_cast<float>(std::cos(crease));
+    const auto limit = static_cast<float>(std::cos(extrusion_crease));
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const float y = mesh.positions[i].y;
         Vec3& normal = mesh.normals[i];
@@ -72,7 +73,8 @@ void flatten_cap_normals(Mesh& mesh, float top) {
     }
 }
 
-// Where the body is narrower than two bevels its cap would cross itself: the bevel yields.
+// The plan of a cap. Reduces `bevel` where the body is narrower than two bevels, since the cap's
+// outline would otherwise cross itself.
 Region cap_plan(const std::vector<Ring>& rings, double height, double& bevel) {
     while (true) {
         std::vector<Ring> caps;
@@ -105,7 +107,7 @@ Mesh extrude(const std::vector<Ring>& rings, double height, double bevel, int be
     }
     add_cap(mesh, plan, frame, height, true);
     add_cap(mesh, plan, frame, 0, false);
-    compute_normals(mesh, crease, NormalWeight::angle_and_area);
+    compute_normals(mesh, extrusion_crease, NormalWeight::angle_and_area);
     flatten_cap_normals(mesh, static_cast<float>(height));
     return mesh;
 }

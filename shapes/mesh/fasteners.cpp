@@ -10,24 +10,25 @@ namespace scree {
 
 namespace {
 
-constexpr double crease = radians(25);
-constexpr double most_turns = 200;
+constexpr double fastener_crease = radians(25);
+constexpr double max_turns = 200;
 
-// A turn has some 500 triangles.
+// Limits the mesh's size: a turn of the thread has about 500 triangles.
 void check_turns(const Params& params, double length, double pitch, double diameter) {
     if (pitch > diameter / 2)
         throw params.error("pitch", "must be at most half of the diameter");
-    if (length > most_turns * pitch)
+    if (length > max_turns * pitch)
         throw params.error("pitch", "the thread would have more than 200 turns");
 }
 
-// 30 degrees, or flatter where two chamfers would meet on a thin part's corner.
+// The slope of a 30 degree chamfer, reduced where the upper and the lower one would meet on the
+// corners of a thin part.
 double chamfer_slope(double across, double circle, double height) {
     return std::min(std::tan(pi / 6), 0.4 * height / (across / std::sqrt(3.0) - circle));
 }
 
 Mesh finished(Mesh mesh) {
-    compute_normals(mesh, crease, NormalWeight::angle_and_area);
+    compute_normals(mesh, fastener_crease, NormalWeight::angle_and_area);
     return mesh;
 }
 
@@ -71,12 +72,12 @@ Mesh bolt(const Params& params) {
                        hexagon.chamfered(y, circle, chamfer_slope(across, circle, head)),
                        level(circle, y), pole(n, Vec3(0, static_cast<float>(y), 0))}));
     if (params.text("pose") == "lying") {
-        // On a flat of the head (which faces angle 0, +x) and the end of the thread.
+        // Resting on a flat of the head, which faces +x, and on the end of the thread.
         const double tilt = std::atan2(across / 2 - crest, length);
         Matrix turn;
         turn.setEulerAngles(Vec3(0, 0, static_cast<float>(-pi / 2 - tilt)));
         transform(mesh, turn);
-    } else { // on its head
+    } else { // standing on its head
         Matrix turn;
         turn.setEulerAngles(Vec3(static_cast<float>(pi), 0, 0));
         transform(mesh, turn);
@@ -101,7 +102,7 @@ Mesh nut(const Params& params) {
         return level_ring(hexagon.angles, radius, y);
     };
     const double slope = chamfer_slope(across, circle, height);
-    // From the lower mouth outwards, up the sides and back in to the upper one.
+    // From the lower mouth of the bore outwards, up the sides and inwards to the upper mouth.
     std::vector<SpaceRing> rings{level(mouth, 0),
                                  level(circle, 0),
                                  hexagon.chamfered(0, circle, -slope),

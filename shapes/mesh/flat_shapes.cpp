@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flat toys with soft edges: mesh.l_brick, star, heart and crescent.
+// Flat toys with rounded edges: mesh.l_brick, star, heart and crescent.
 #include "shapes/mesh/component.h"
 #include "shapes/mesh/extrude.h"
 #include "shapes/mesh/outline.h"
@@ -41,7 +41,7 @@ Mesh star(const Params& params) {
 Mesh heart(const Params& params) {
     const double width = params.number("width");
     const double height = number_or(params, "height", 0.28 * width);
-    // Two lobes of radius 1 and the tangents from them to the tip.
+    // Two circular lobes of radius 1 and their tangents through the tip.
     const Vec2 lobe(0.9, 0.0);
     const Vec2 tip(0.0, -2.2);
     const Vec2 to_tip = tip - lobe;
@@ -62,13 +62,13 @@ Mesh heart(const Params& params) {
 Mesh crescent(const Params& params) {
     const double radius = params.number("radius");
     const double height = number_or(params, "height", 0.36 * radius);
-    // The unit circle less a smaller one whose centre lies `shift` to the right and which leaves
-    // `waist` of the unit circle's left side.
+    // The unit disk minus a smaller disk, whose centre lies `shift` to the right and which leaves
+    // a width of `waist` on the left.
     const double waist = params.number("waist");
     const double inner = 0.8;
     const double shift = inner - 1 + waist;
-    // The horns end in circles that touch both: their centres are 1 - blunt from one centre and
-    // inner + blunt from the other.
+    // The horns end in circles of radius `blunt` that are tangent to both: their centres lie
+    // 1 - blunt from one centre and inner + blunt from the other.
     const double blunt = 0.07;
     const double far = 1 - blunt;
     const double near = inner + blunt;
@@ -77,7 +77,7 @@ Mesh crescent(const Params& params) {
     const double outer_angle = std::atan2(horn.y, horn.x);
     const double inner_angle = std::atan2(horn.y, horn.x - shift);
     Ring outline = arc({0, 0}, 1, outer_angle, 2 * pi - outer_angle, 72);
-    const auto add = [&](const Ring& ring) { // which begins where the outline ends
+    const auto add = [&](const Ring& ring) { // its first point is the outline's last
         outline.insert(outline.end(), ring.begin() + 1, ring.end());
     };
     add(arc({horn.x, -horn.y}, blunt, -outer_angle, pi - inner_angle, 14));

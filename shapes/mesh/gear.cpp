@@ -13,14 +13,15 @@ constexpr double pressure_angle = radians(20);
 
 double involute(double angle) { return std::tan(angle) - angle; }
 
-// One tooth about the +x axis, counter-clockwise, from the root before it to its own far root:
-// involute flanks with ISO 53 proportions (addendum 1, dedendum 1.25 modules).
+// One tooth about the +x axis, counter-clockwise from the root on its near side to the root on its
+// far side: involute flanks with ISO 53 proportions (addendum 1, dedendum 1.25 modules).
 std::vector<Corner> tooth(int teeth, double tip_radius) {
     const double module = 2 * tip_radius / (teeth + 2);
     const double pitch_radius = module * teeth / 2;
     const double base = pitch_radius * std::cos(pressure_angle);
     const double root = pitch_radius - 1.25 * module;
-    // Half of the tooth's angle at radius r; a little thinner than half the pitch, for backlash.
+    // Half of the tooth's angle at radius r. The tooth is slightly thinner than half the pitch, for
+    // backlash.
     const auto half_angle = [&](double r) {
         const double at = std::acos(std::min(1.0, base / r));
         return pi / (2 * teeth) * 0.97 + involute(pressure_angle) - involute(at);
@@ -64,7 +65,7 @@ Mesh gear(const Params& params) {
         rings.push_back(std::move(ring));
     };
     add_hole(bore, 48, Vec2(0.0));
-    // Lightening holes half way between bore and root, with as much metal left around them.
+    // Lightening holes half-way between bore and root.
     const int holes = int(params.integer("holes"));
     const double middle = (bore + root) / 2;
     const double room = std::min((root - bore) / 2, holes > 0 ? middle * std::sin(pi / holes) : 0);

@@ -12,8 +12,8 @@ namespace scree {
 
 namespace {
 
-// Rings separated by '|', the outer one first; of corners "x,y" and arcs "a:x,y,radius,from,to"
-// in degrees.
+// Rings separated by '|', the outer one first. A ring consists of corners "x,y" and arcs
+// "a:x,y,radius,from,to" with angles in degrees.
 struct Glyph {
     char character;
     const char* rings;

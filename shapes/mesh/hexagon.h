@@ -13,8 +13,9 @@ struct Hexagon {
 
     explicit Hexagon(double across_flats);
 
-    /// The outline where a chamfer meets the sides: a cone through the circle of radius `circle` at
-    /// height `y`, falling by `slope` outwards (negative: rising, below a lower face).
+    /// The curve in which a chamfer's cone meets the sides. The cone passes through the circle of
+    /// radius `circle` at height `y` and falls outwards by `slope` (negative: rises, for a lower
+    /// face).
     SpaceRing chamfered(double y, double circle, double slope) const;
 };
 

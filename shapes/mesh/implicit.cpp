@@ -44,7 +44,7 @@ struct Grid {
     float at(int x, int y, int z) const { return values[index(x, y, z)]; }
 };
 
-// The mean of the zero crossings on the cell's edges; false when the surface misses the cell.
+// Sets `out` to the mean of the zero crossings on the cell's edges; false when there are none.
 bool cell_vertex(const Grid& grid, int x, int y, int z, Vec3d& out) {
     Vec3d sum(0.0);
     int crossings = 0;
@@ -82,7 +82,7 @@ Mesh surface_net(const Grid& grid) {
                 vertex[grid.index(x, y, z)] = static_cast<std::uint32_t>(mesh.positions.size());
                 mesh.positions.emplace_back(p);
             }
-    // One quad round every grid edge that crosses the surface.
+    // One quad around every grid edge that crosses the surface.
     for (int z = 1; z + 1 < grid.size[2]; ++z)
         for (int y = 1; y + 1 < grid.size[1]; ++y)
             for (int x = 1; x + 1 < grid.size[0]; ++x)
@@ -93,7 +93,7 @@ Mesh surface_net(const Grid& grid) {
                     if (inside == (grid.at(to[0], to[1], to[2]) < 0))
                         continue;
                     std::array<std::uint32_t, 4> quad{};
-                    for (int k = 0; k < 4; ++k) { // the cells round the edge, right-handed
+                    for (int k = 0; k < 4; ++k) { // the cells around the edge, right-handed
                         std::array<int, 3> cell{x, y, z};
                         cell[(axis + 1) % 3] -= k == 0 || k == 3 ? 1 : 0;
                         cell[(axis + 2) % 3] -= k < 2 ? 1 : 0;
@@ -112,7 +112,7 @@ Mesh surface_net(const Grid& grid) {
     return mesh;
 }
 
-// u by the angle about the y axis, v by height; vertices on the seam are repeated.
+// u is the angle about the y axis, v the height; vertices on the seam are duplicated.
 void add_polar_uvs(Mesh& mesh) {
     const Box3 box = bounds(mesh);
     for (const Vec3& p : mesh.positions)
@@ -142,8 +142,8 @@ void add_polar_uvs(Mesh& mesh) {
 } // namespace
 
 Mesh polygonise(const SignedField& field, const Imath::Box3d& box, double cell) {
-    // A cell through which the surface passes twice gives an edge of four faces; on a grid that
-    // lies a little otherwise it does not.
+    // Where the surface passes twice through one cell, the mesh has a non-manifold edge (of four
+    // faces). A slightly shifted grid avoids that.
     Mesh mesh;
     for (int attempt = 0; attempt < 12; ++attempt) {
         const double shift = 0.37 * cell * (attempt % 4);
@@ -158,7 +158,7 @@ Mesh polygonise(const SignedField& field, const Imath::Box3d& box, double cell) 
         for (int i = 0; i < 3; ++i) {
             const Vec3d slope = gradient(field, p, step);
             const Vec3d move = slope * (-field(p) / std::max(slope.length2(), 1e-6));
-            // A vertex that leaves its cell's neighbourhood could cross another.
+            // Steps are limited, since vertices that move far could pass one another.
             p += move * std::min(1.0, 0.25 * cell / std::max(move.length(), 1e-12));
         }
         position = Vec3(p);

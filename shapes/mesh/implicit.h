@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Soft bodies as the zero level of a signed field, negative inside.
+// Rounded bodies as zero level sets of signed fields.
 #pragma once
 
 #include "geometry/mesh/mesh.h"
@@ -10,21 +10,21 @@ namespace scree {
 
 using Vec3d = Imath::V3d;
 
-/// About a signed distance: negative inside, slope near 1 at the surface.
+/// Approximately a signed distance: negative inside, with a gradient of about 1 at the surface.
 using SignedField = std::function<double(const Vec3d&)>;
 
-/// The zero level of `field` inside `box`, which it must not touch, as a closed mesh: surface nets
-/// (Gibson 1998) on cells of side `cell`, each vertex then moved onto the level by Newton's method.
-/// Normals are the field's gradients; UVs are polar about the y axis.
+/// The zero level set of `field` as a closed mesh: surface nets (Gibson 1998) on cells of side
+/// `cell`, with each vertex moved onto the level set by Newton's method. It must lie inside `box`.
+/// Normals are the field's gradients; UVs are the angle about the y axis and the height.
 Mesh polygonise(const SignedField& field, const Imath::Box3d& box, double cell);
 
-/// The union of two fields, rounded over the width `k` (Quilez' polynomial smooth minimum).
+/// The union of two fields, blended over the width `k` (Quilez' polynomial smooth minimum).
 double smooth_union(double a, double b, double k);
 
 /// Distance to a capsule from `a` to `b`.
 double capsule(const Vec3d& p, const Vec3d& a, const Vec3d& b, double radius);
 
-/// About the distance to an ellipsoid with the given half axes (Quilez' first-order bound).
+/// First-order approximation of the distance to an ellipsoid with the given semi-axes (Quilez).
 double ellipsoid(const Vec3d& p, const Vec3d& center, const Vec3d& half_axes);
 
 } // namespace scree

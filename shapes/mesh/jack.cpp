@@ -8,7 +8,8 @@ namespace scree {
 
 namespace {
 
-// Half of the span is 1: six arms, of which the pair along z ends in points, the others in balls.
+// The signed field of a jack: six arms from -1 to 1 along the axes. The pair along z ends in
+// points, the others end in balls.
 double field(const Vec3d& p, double arm, double ball, double point) {
     double distance = 1e9;
     for (int axis = 0; axis < 3; ++axis) {
@@ -31,13 +32,13 @@ double field(const Vec3d& p, double arm, double ball, double point) {
 Mesh jack(const Params& params) {
     const double arm = params.number("arm");
     const double ball = std::max(params.number("ball"), 1.1 * arm);
-    // Where the pointed arms' rounding is centred: on three ends it touches the floor with the
-    // balls.
+    // The centre of a pointed arm's rounded end, chosen so that this end and those of two arms with
+    // balls touch the ground together.
     const double point = 1 - ball + std::sqrt(3.0) * (ball - 0.55 * arm);
     const double half = point + arm + 0.05;
     Mesh mesh = polygonise([&](const Vec3d& p) { return field(p, arm, ball, point); },
                            {Vec3d(-half), Vec3d(half)}, std::min(2.0 / 42, 0.42 * arm));
-    // Standing on the ends of three arms: the diagonal of the other three becomes up.
+    // Stands on the ends of three arms: the diagonal of the other three becomes the y axis.
     const Matrix tilt = Matrix().setAxisAngle(Vec3(1, 0, -1).normalized(),
                                               static_cast<float>(std::acos(1 / std::sqrt(3.0))));
     transform(mesh, tilt);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mesh.lathe: what a profile sweeps about the y axis.
+// mesh.lathe: the surface of revolution of a profile about the y axis.
 #include "geometry/plane/region_tools.h"
 #include "shapes/mesh/component.h"
 #include "shapes/mesh/loft.h"
@@ -13,15 +13,15 @@ namespace scree {
 
 namespace {
 
-// A pot: up its outside from the foot, over the lip and down its inside. Repeated points are the
-// edges of foot and bottom.
+// A pot: from the foot up its outside, over the lip and down its inside. The repeated point is a
+// sharp edge.
 const std::vector<Vec2> pot_profile = {
     {0, 0.004},     {0.030, 0.004}, {0.030, 0.004}, {0.032, 0},     {0.036, 0},
     {0.038, 0.006}, {0.056, 0.040}, {0.064, 0.078}, {0.052, 0.118}, {0.034, 0.140},
     {0.032, 0.152}, {0.042, 0.166}, {0.040, 0.169}, {0.029, 0.153}, {0.030, 0.139},
     {0.047, 0.116}, {0.059, 0.078}, {0.051, 0.042}, {0.030, 0.014}, {0, 0.010}};
 
-constexpr std::size_t most_triangles = 10'000'000;
+constexpr std::size_t max_triangles = 10'000'000;
 
 std::string text_of(const Vec2& p) { return fmt::format("({:.3g}, {:.3g})", p.x, p.y); }
 
@@ -50,7 +50,7 @@ void check_points(const Params& params, const std::vector<Vec2>& points, bool cl
     }
 }
 
-// Discs close what ends away from the axis.
+// Closes ends that are not on the axis by discs.
 void add_discs(std::vector<CurvePiece>& pieces) {
     const Vec2 first = pieces.front().front().at;
     const Vec2 last = pieces.back().back().at;
@@ -60,7 +60,7 @@ void add_discs(std::vector<CurvePiece>& pieces) {
         pieces.push_back({{last, {-1, 0}}, {{0, last.y}, {-1, 0}}});
 }
 
-// The whole curve as a polygon; on the axis it is closed by the axis.
+// The whole curve as a polygon; an open curve is closed along the axis.
 Ring outline_of(const std::vector<CurvePiece>& pieces) {
     Ring ring;
     for (const CurvePiece& piece : pieces)
@@ -72,8 +72,9 @@ Ring outline_of(const std::vector<CurvePiece>& pieces) {
     return ring;
 }
 
-// Where a ring that is known to be no simple polygon meets itself, or its first point.
-Vec2 meeting(const Ring& ring) {
+// A point near which a ring that is not a simple polygon meets itself; its first point when none is
+// found.
+Vec2 self_contact(const Ring& ring) {
     const std::size_t n = ring.size();
     const auto parts = [&](const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
         return cross(b - a, p - a) * cross(b - a, q - a) <= 0;
@@ -88,10 +89,10 @@ Vec2 meeting(const Ring& ring) {
 }
 
 void check_curve(const Params& params, const Ring& ring, std::size_t segments) {
-    if (2 * ring.size() * segments > most_triangles)
+    if (2 * ring.size() * segments > max_triangles)
         throw params.error("profile",
                            fmt::format("gives a mesh of {} triangles; at most {} are made",
-                                       2 * ring.size() * segments, most_triangles),
+                                       2 * ring.size() * segments, max_triangles),
                            "fewer steps or segments help");
     for (std::size_t i = 0; i < ring.size(); ++i)
         if (ring[i].x < 0)
@@ -100,13 +101,14 @@ void check_curve(const Params& params, const Ring& ring, std::size_t segments) {
     try {
         triangulate({ring});
     } catch (const Error&) {
-        throw params.error("profile",
-                           "the curve crosses or touches itself near " + text_of(meeting(ring)));
+        throw params.error("profile", "the curve crosses or touches itself near " +
+                                          text_of(self_contact(ring)));
     }
 }
 
-// So that the inside is to the left of it, as the surface's triangles want it.
-void turn_left(std::vector<CurvePiece>& pieces) {
+// Reverses the curve; called when the inside lies to its right, since triangles face outwards when
+// the inside is to the left.
+void reverse_curve(std::vector<CurvePiece>& pieces) {
     std::reverse(pieces.begin(), pieces.end());
     for (CurvePiece& piece : pieces) {
         std::reverse(piece.begin(), piece.end());
@@ -122,7 +124,7 @@ double length_of(const CurvePiece& piece) {
     return sum;
 }
 
-// Its texture coordinate v runs from `v_begin` to `v_end` by arc length.
+// The surface of revolution of a piece; v runs from `v_begin` to `v_end` by arc length.
 Mesh revolve_piece(const CurvePiece& piece, int segments, double v_begin, double v_end) {
     Ring profile;
     for (const CurvePoint& point : piece)
@@ -157,7 +159,7 @@ Mesh lathe(const Params& params) {
     const Ring ring = outline_of(pieces);
     check_curve(params, ring, static_cast<std::size_t>(segments));
     if (signed_area(ring) < 0)
-        turn_left(pieces);
+        reverse_curve(pieces);
 
     double whole = 0;
     for (const CurvePiece& piece : pieces)
@@ -184,14 +186,14 @@ Plugin<MakeMesh> lathe_component() {
         "lathe", "A turned piece: what a profile sweeps about the y axis.",
         {{.name = "profile",
           .type = ParamType::points,
-          .doc = "Points {radius, height} of the outline; a point written twice is a corner; a pot "
-                 "unless given. Ends that are not on the axis are closed by discs.",
+          .doc = "Points {radius, height} of the outline; a point written twice is a corner. A pot "
+                 "when not given. Ends that are not on the axis are closed by discs.",
           .unit = "m",
           .optional = true,
           .min_items = 2},
          {.name = "closed",
           .type = ParamType::boolean,
-          .doc = "The last point is joined to the first: a ring around the axis.",
+          .doc = "Joins the last point to the first: a ring around the axis.",
           .fallback = false},
          {.name = "spline",
           .type = ParamType::boolean,

@@ -7,7 +7,7 @@ namespace scree {
 
 namespace {
 
-// Where each ring lies along the surface, in [0, 1].
+// The position of each ring along the surface, in [0, 1], by mean arc length.
 std::vector<float> arc_lengths(const std::vector<SpaceRing>& rings) {
     std::vector<double> along(rings.size(), 0.0);
     for (std::size_t j = 1; j < rings.size(); ++j) {
@@ -26,7 +26,7 @@ void add_triangle(Mesh& mesh, const Mesh::Triangle& t) {
     const Vec3& a = mesh.positions[t[0]];
     const Vec3& b = mesh.positions[t[1]];
     const Vec3& c = mesh.positions[t[2]];
-    if (a != b && b != c && c != a) // a quad at a pole is one triangle
+    if (a != b && b != c && c != a) // at a pole one triangle of a quad is degenerate
         mesh.triangles.push_back(t);
 }
 

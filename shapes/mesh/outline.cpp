@@ -10,7 +10,7 @@ namespace {
 
 Vec2 left_of(const Vec2& direction) { return {-direction.y, direction.x}; }
 
-// The points that replace `at` between its neighbours.
+// Appends the arc that replaces a corner, or the corner itself.
 void add_rounded(Ring& out, const Vec2& before, const Corner& corner, const Vec2& after,
                  int quarter) {
     const Vec2 at(corner.x, corner.y);
@@ -18,7 +18,7 @@ void add_rounded(Ring& out, const Vec2& before, const Corner& corner, const Vec2
     const Vec2 away = (after - at).normalized();
     const double turn = std::atan2(cross(in, away), in.dot(away));
     const double half_tangent = std::tan(std::abs(turn) / 2);
-    // Slightly less than half of an edge, so that two arcs on it never share a point.
+    // Slightly less than half of the shorter edge, so that arcs of adjacent corners stay apart.
     const double room = 0.49 * std::min((at - before).length(), (after - at).length());
     const double tangent = std::min(corner.radius * half_tangent, room);
     if (!(tangent > 1e-9 * room) || half_tangent < 1e-6) {
@@ -89,7 +89,7 @@ double largest_inset(const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const std::size_t next = (i + 1) % ring.size();
         const Vec2 edge = ring[next] - ring[i];
-        // An edge's length falls linearly with the distance.
+        // The length of an edge decreases linearly with the distance.
         const double fall = (mitre(ring, i) - mitre(ring, next)).dot(edge.normalized());
         if (fall > 0)
             largest = std::min(largest, edge.length() / fall);

@@ -6,14 +6,14 @@ namespace scree {
 
 namespace {
 
-constexpr int around = 28;
+constexpr int grain_sides = 28;
 constexpr int along = 44;
 
-// A slightly flattened section with the faint lengthwise ridges of a polished grain.
+// A slightly flattened cross-section with the faint lengthwise ridges of a polished grain.
 Ring section(double width, double height, double ridge) {
     Ring ring;
-    for (int i = 0; i < around; ++i) {
-        const double angle = 2 * pi * i / around;
+    for (int i = 0; i < grain_sides; ++i) {
+        const double angle = 2 * pi * i / grain_sides;
         const double r = 1 + ridge * std::cos(6 * angle + 0.4);
         ring.emplace_back(width * r * std::cos(angle), height * r * std::sin(angle));
     }
@@ -29,13 +29,13 @@ Mesh rice(const Params& params) {
 
     std::vector<SpaceRing> rings;
     for (int j = 0; j <= along; ++j) {
-        const double s = -std::cos(pi * j / along); // dense at the ends
+        const double s = -std::cos(pi * j / along); // rings are denser at the ends
         const double t = 0.5 + 0.5 * s;
         if (j == 0 || j == along) {
-            rings.push_back(axis.place(Ring(around, Vec2(0.0)), t));
+            rings.push_back(axis.place(Ring(grain_sides, Vec2(0.0)), t));
             continue;
         }
-        // One end blunter than the other, with the dent that the germ leaves.
+        // One end is blunter than the other and has the dent of the germ.
         const double taper = std::pow(1 - std::pow(std::abs(s), 2.4), s < 0 ? 0.5 : 0.56);
         const double r = taper * (1 + 0.05 * s) * width / 2;
         Ring ring = section(r, 0.82 * r, 0.018 * taper);

@@ -10,16 +10,16 @@ namespace scree {
 
 namespace {
 
-constexpr double crease = radians(30);
+constexpr double round_crease = radians(30);
 
 Mesh smooth(Mesh mesh) {
-    compute_normals(mesh, crease);
+    compute_normals(mesh, round_crease);
     return mesh;
 }
 
-// Rounded solids with flat parts, which must shade flat.
+// For rounded solids with flat parts, which must be shaded flat.
 Mesh bevelled(Mesh mesh) {
-    compute_normals(mesh, crease, NormalWeight::angle_and_area);
+    compute_normals(mesh, round_crease, NormalWeight::angle_and_area);
     return mesh;
 }
 
@@ -29,7 +29,7 @@ ParamSpec segments_spec() {
     return count("segments", "Segments around the axis of revolution.", 64, 12, 512);
 }
 
-// A closed profile goes round once, its last point the first.
+// Closes a profile by repeating its first point.
 Ring closed(Ring ring) {
     ring.push_back(Vec2(ring.front()));
     return ring;
@@ -71,7 +71,7 @@ Mesh cone(const Params& params) {
     const double top = params.number("top") * radius;
     const double height = params.number("height");
     const double edge = params.number("rounding") * std::min(radius, height) / 2;
-    // Rounded as a whole outline, of which the left half is cut off.
+    // The whole symmetric outline is rounded, then its left half is removed.
     std::vector<Corner> corners{{0, 0}, {radius, 0, edge}, {top, height, edge}};
     if (top > 0)
         corners.push_back({-top, height, edge});
@@ -94,7 +94,7 @@ Mesh ring(const Params& params) {
     const double height = number_or(params, "height", 0.5 * radius);
     if (hole >= radius)
         throw params.error("hole", "must be less than the radius");
-    // Fuller outside than inside, as stacking rings are.
+    // Stacking rings are rounder outside than inside.
     const double outer = 0.5 * std::min(height, radius - hole);
     const double inner = 0.45 * outer;
     return smooth(revolve(
@@ -104,8 +104,8 @@ Mesh ring(const Params& params) {
         segments_of(params)));
 }
 
-// Radius by height of a ten-pin bowling pin as shares of its height, after the outline of the USBC
-// specification (15 inches high, 4.766 inches across the belly); the top is a half sphere.
+// Height and radius of a ten-pin bowling pin as shares of its height, after the USBC specification
+// (15 inches high, 4.766 inches across the belly); the top is a half sphere.
 constexpr double pin_outline[][2] = {
     {0.0660, 0.000},  {0.0943, 0.050},  {0.1302, 0.150}, {0.1503, 0.225},  {0.1589, 0.300},
     {0.1521, 0.392},  {0.1234, 0.483},  {0.0824, 0.575}, {0.0655, 0.625},  {0.0599, 0.667},
@@ -141,7 +141,7 @@ Ring pin_profile(double height, double width) {
 Mesh pin(const Params& params) {
     const double height = params.number("height");
     Mesh mesh = smooth(revolve(pin_profile(height, params.number("belly")), segments_of(params)));
-    if (params.text("pose") == "lying") { // on its belly and head
+    if (params.text("pose") == "lying") { // resting on its belly and head
         Matrix turn;
         turn.setEulerAngles(
             Vec3(0, 0,

@@ -7,8 +7,8 @@ namespace {
 
 constexpr int quarter = 6; // segments per eighth of a turn
 
-// A grid line of a face: where the flat part's corner or line is, in [-1, 1], and how far the
-// rounded edge has turned there, as a tangent in [-1, 1].
+// A grid line of a face: its position on the flat part in [-1, 1], and the tangent of the angle by
+// which the rounded edge has turned there, in [-1, 1].
 struct Line {
     double flat;
     double turn;
@@ -16,7 +16,7 @@ struct Line {
 
 std::vector<Line> grid_lines(bool rounded, const std::vector<double>& inner_lines) {
     std::vector<Line> lines;
-    // tan(45 degrees) must be exactly 1 for two faces to meet in the same points.
+    // tan(45 degrees) must be exactly 1 so that adjacent faces have equal vertices.
     const auto tangent = [](int k) {
         return k == quarter ? 1.0 : std::tan(pi / 4 * double(k) / quarter);
     };
@@ -46,7 +46,7 @@ Mesh rounded_box(const Vec3& sides, double radius, const std::vector<double>& in
         for (const Line& b : lines) {
             for (const Line& a : lines) {
                 Imath::V3d normal;
-                normal[u] = a.turn * side; // mirrored with the face, so that it turns outwards
+                normal[u] = a.turn * side; // mirrored with the face
                 normal[v] = b.turn;
                 normal[w] = side;
                 normal.normalize();

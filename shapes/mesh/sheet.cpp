@@ -25,8 +25,8 @@ Region leaf(double length) {
     return triangulate({outline});
 }
 
-/// Cuts all edges longer than `longest` in half until there are none: a triangle with one, two or
-/// three such edges becomes two, three or four.
+/// Bisects edges longer than `longest` until there are none. In each pass a triangle with one, two
+/// or three such edges is split into two, three or four.
 void refine(Region& region, double longest) {
     for (;;) {
         std::map<Edge, std::uint32_t> middles;
@@ -48,7 +48,7 @@ void refine(Region& region, double longest) {
             return;
         std::vector<std::array<std::uint32_t, 3>> cut;
         for (const auto& t : region.triangles) {
-            // Its corners and middles in order; ears are cut off at every middle in turn.
+            // The triangle's corners and edge midpoints in order.
             std::vector<std::uint32_t> ring;
             for (unsigned k = 0; k < 3; ++k) {
                 ring.push_back(t[k]);
@@ -61,7 +61,7 @@ void refine(Region& region, double longest) {
                 cut.push_back({ring[1], ring[3], ring[5]});
                 continue;
             }
-            // With a middle first, a fan from it has no triangle of no area.
+            // A fan from a midpoint has no degenerate triangle.
             while (std::find(t.begin(), t.end(), ring[0]) != t.end() && ring.size() > 3)
                 std::rotate(ring.begin(), ring.begin() + 1, ring.end());
             for (std::size_t k = 1; k + 1 < ring.size(); ++k)
@@ -71,7 +71,8 @@ void refine(Region& region, double longest) {
     }
 }
 
-/// Where a point comes to lie along an axis that is bent upwards into an arc, and how high.
+/// Bends an axis upwards into an arc: the new coordinate along the axis and the height of the point
+/// that was `at`.
 Vec2 bent(double at, double curvature) {
     const double turn = at * curvature;
     return std::abs(turn) < 1e-6 ? Vec2(at, 0.0)
@@ -131,7 +132,7 @@ Plugin<MakeMesh> sheet_component() {
     ParamSpec outline{.name = "outline",
                       .type = ParamType::object,
                       .families = {"region"},
-                      .doc = "What is cut out; a pointed leaf unless given.",
+                      .doc = "Its outline; a pointed leaf when not given.",
                       .optional = true};
     return component(
         "sheet", "A thin sheet cut out along an outline and bent: leaf, petal, paper.",

@@ -30,14 +30,15 @@ std::vector<Knot> knots_of(const std::vector<Vec2>& points, bool closed) {
 
 double knot_step(const Vec2& a, const Vec2& b) { return std::sqrt((b - a).length()); }
 
-// The derivative at b by the share of the span b to c, for the parabola through a, b and c.
+// The derivative at b of the parabola through a, b and c, scaled to the parameter of a span of
+// length `span`.
 Vec2 tangent(const Vec2& a, const Vec2& b, const Vec2& c, double span) {
     const double before = knot_step(a, b);
     const double after = knot_step(b, c);
     return ((b - a) / before - (c - a) / (before + after) + (c - b) / after) * span;
 }
 
-// From b to c; its first point is left out.
+// Appends the span from b to c. b itself is appended only to an empty piece.
 void add_span(CurvePiece& piece, const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d,
               int steps) {
     const double span = knot_step(b, c);
@@ -49,7 +50,7 @@ void add_span(CurvePiece& piece, const Vec2& a, const Vec2& b, const Vec2& c, co
     const double straight = 1e-9 * chord.dot(chord);
     if (std::abs(cross(start, chord)) < straight && std::abs(cross(end, chord)) < straight)
         steps = 1;
-    for (int k = 1; k < steps; ++k) { // Hermite's cubic
+    for (int k = 1; k < steps; ++k) { // cubic Hermite interpolation
         const double t = double(k) / steps;
         const double u = 1 - t;
         piece.push_back(
@@ -73,7 +74,8 @@ std::vector<CurvePiece> spline(const std::vector<Vec2>& points, bool closed, int
         std::rotate(knots.begin(), first_corner, knots.end());
 
     const std::size_t spans = closed ? n : n - 1;
-    // Beyond an end the curve goes on as its mirror image at the axis, or else straight.
+    // The control point beyond an end: the mirror image when the end lies on the axis, otherwise
+    // the straight continuation.
     const auto beyond = [&](std::size_t end, std::size_t inner) {
         const Vec2 p = knots[inner % n].at;
         const Knot& last = knots[end % n];

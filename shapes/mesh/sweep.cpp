@@ -19,7 +19,7 @@ SpaceRing BentAxis::place(const Ring& section, double t) const {
     const double at = std::clamp(t, 0.0, 1.0) * double(points_.size() - 1);
     const std::size_t i = std::min(std::size_t(at), points_.size() - 2);
     const double share = at - double(i);
-    // Beyond its ends the axis goes on straight.
+    // Beyond its ends the axis is straight.
     const double beyond = (t - std::clamp(t, 0.0, 1.0)) * length_;
     const double heading = heading_[i] * (1 - share) + heading_[i + 1] * share;
     const Vec2 along(std::cos(heading), std::sin(heading));

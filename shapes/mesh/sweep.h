@@ -7,15 +7,15 @@
 
 namespace scree {
 
-/// A plane curve along which cross-sections are swept, given by its curvature.
+/// A plane curve, given by its curvature, along which cross-sections are swept.
 class BentAxis {
   public:
-    /// From the origin, starting towards +x, in the x-z plane; `curvature` [rad per length] at
-    /// equal steps along `length`, turning towards +z.
+    /// A curve in the x-z plane that starts at the origin towards +x. `curvature` [rad per length]
+    /// holds values at equal steps along `length`; positive ones turn towards +z.
     BentAxis(double length, const std::vector<double>& curvature);
 
-    /// The section, points (side, up) counter-clockwise, stood across the axis at share `t` of its
-    /// length.
+    /// The cross-section, counter-clockwise points (side, up), placed perpendicular to the axis at
+    /// share `t` of its length.
     SpaceRing place(const Ring& section, double t) const;
 
   private:
@@ -24,7 +24,7 @@ class BentAxis {
     std::vector<double> heading_; // [rad]
 };
 
-/// Piecewise cubic through (x, y) knots of rising x that never overshoots (Fritsch & Carlson 1980).
+/// Monotone piecewise cubic interpolation of (x, y) knots of rising x (Fritsch & Carlson 1980).
 double interpolate(const std::vector<Vec2>& knots, double x);
 
 } // namespace scree

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mesh.text: a word of block letters in one piece, so that a solid texture runs through all of it.
+// mesh.text: a word of block letters as one mesh, so that a solid texture runs through all of it.
 #include "shapes/mesh/component.h"
 #include "shapes/mesh/extrude.h"
 #include "shapes/mesh/glyphs.h"
@@ -68,7 +68,7 @@ Plugin<MakeMesh> text_component() {
         "text", "A word of block letters as one body, as if cut from one block.",
         {{.name = "text",
           .type = ParamType::text,
-          .doc = "Of A to Z, 0 to 9, ., - and spaces.",
+          .doc = "Consists of A to Z, 0 to 9, ., - and spaces.",
           .fallback = std::string("SCREE")},
          metres("size", "Height of a capital.", 0.06),
          optional_metres("height", "Thickness; 0.23 of the size by default."),
@@ -76,7 +76,7 @@ Plugin<MakeMesh> text_component() {
          ratio("bevel", "Radius of the edges as a share of the size; 0: sharp.", 0.024, 0, 0.1),
          {.name = "pose",
           .type = ParamType::choice,
-          .doc = "Upright and facing +z, or on its back and readable from above.",
+          .doc = "Upright facing +z, or on its back, readable from above.",
           .fallback = std::string("standing"),
           .choices = {"standing", "lying"}}},
         text);

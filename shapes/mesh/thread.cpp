@@ -10,7 +10,8 @@ namespace scree {
 
 namespace {
 
-// One turn of the profile: where its corners are, in pitches, and which lie on the crest.
+// One turn of the profile: the positions of its corners [pitches] and whether they lie on the
+// crest.
 struct ProfileCorner {
     double along;
     bool crest;
@@ -24,12 +25,12 @@ constexpr int corners = int(profile.size());
 Mesh thread_surface(std::span<const double> angles, const Thread& thread) {
     const int columns = int(angles.size());
     const double length = thread.top - thread.bottom;
-    // Two turns of rows more at either end: clamped there, they close the ends of the helix.
+    // Two more turns of rows at either end, which are clamped to the end circles.
     const int rows = (int(std::ceil(length / thread.pitch)) + 4) * corners;
     Mesh mesh;
     for (int j = 0; j <= rows; ++j) {
         for (int i = 0; i <= columns; ++i) {
-            // Column `columns` is column 0 one turn further up.
+            // Column `columns` is column 0, one turn further up.
             const int row = i == columns ? std::min(j + corners, rows) : j;
             const double angle = i == columns ? angles[0] : angles[i];
             const ProfileCorner& corner = profile[std::size_t(row % corners)];
@@ -52,7 +53,7 @@ Mesh thread_surface(std::span<const double> angles, const Thread& thread) {
         const Vec3& q = mesh.positions[b];
         const Vec3& r = mesh.positions[c];
         if (p == q || q == r || r == p)
-            return; // clamped rows
+            return; // degenerate: between clamped rows
         if (inside)
             std::swap(b, c);
         mesh.triangles.push_back({a, b, c});

@@ -12,7 +12,7 @@ namespace scree {
 
 namespace {
 
-// Trees are one high; their trunks stand on y = 0.
+// All trees are 1 high and stand on y = 0.
 
 // A crown of round tufts on a trunk that widens at the foot.
 Mesh round_tree(double width, double trunk, std::uint64_t seed) {
@@ -25,7 +25,7 @@ Mesh round_tree(double width, double trunk, std::uint64_t seed) {
     std::vector<Tuft> tufts;
     constexpr int count = 16;
     Random random(seed, Purpose::mesh_shape);
-    for (int i = 0; i < count; ++i) { // along a spiral on the crown (Vogel 1979), a little off it
+    for (int i = 0; i < count; ++i) { // on a spiral over the crown (Vogel 1979), jittered
         const double height = 1 - 2 * (i + 0.5) / count;
         const double angle = i * pi * (3 - std::sqrt(5.0)) + random.uniform(-0.35, 0.35);
         const double ring = std::sqrt(1 - height * height);
@@ -48,7 +48,7 @@ Mesh round_tree(double width, double trunk, std::uint64_t seed) {
                       std::min(1.0 / 44, 0.6 * trunk));
 }
 
-// Stacked skirts, as toy firs have.
+// A toy fir of stacked skirts.
 Mesh conifer(double width, double trunk, int tiers) {
     const double foot = 0.2; // height of the trunk
     const double rounding = 0.03 * width;
@@ -70,7 +70,7 @@ Mesh conifer(double width, double trunk, int tiers) {
     return mesh;
 }
 
-// A lollipop: one smooth crown, egg-shaped.
+// One smooth egg-shaped crown.
 Mesh poplar(double width, double trunk) {
     const double low = 0.2;
     std::vector<Corner> profile{{0, 0}, {trunk * 1.3, 0, 0.2 * trunk}, {trunk, 0.1, 0.3}};

@@ -14,9 +14,9 @@ namespace scree {
 
 namespace {
 
-constexpr std::size_t most_points = 500'000; // some seconds to triangulate
+constexpr std::size_t max_outline_points = 500'000; // more take minutes to triangulate
 
-/// The outlines in pixels.
+/// The traced outlines in pixels, and the size of the image.
 std::vector<Ring> traced(const Params& params, int& width, int& height) {
     const Image image =
         located(params, "path", [&] { return read_data_image(params.text("path")); });
@@ -43,9 +43,10 @@ std::vector<Ring> traced(const Params& params, int& width, int& height) {
                                        "than min_area",
                                        params.flag("invert") ? "at most" : "at least",
                                        params.number("threshold"), channel));
-    if (points > most_points)
+    if (points > max_outline_points)
         throw params.error(
-            "path", fmt::format("the outline has {} points, more than {}", points, most_points),
+            "path",
+            fmt::format("the outline has {} points, more than {}", points, max_outline_points),
             "give a larger tolerance or min_area");
     return rings;
 }
@@ -80,24 +81,7 @@ Region image_region(const Params& params) {
 }
 
 ParamSpec length(std::string name, std::string doc) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = "m",
-            .optional = true,
-            .min = 1e-6,
-            .max = 1e6};
-}
-
-ParamSpec number(std::string name, std::string doc, std::string unit, double fallback, double min,
-                 double max) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = std::move(unit),
-            .fallback = fallback,
-            .min = min,
-            .max = max};
+    return optional_number_spec(std::move(name), std::move(doc), "m", 1e-6, 1e6);
 }
 
 } // namespace
@@ -115,16 +99,17 @@ Plugin<MakeRegion> image_region_plugin() {
          length("depth", "Of the whole image along z; from width when not given."),
          {.name = "channel",
           .type = ParamType::choice,
-          .doc = "What to take of a pixel, as stored; luminance for an image without alpha.",
+          .doc = "Which channel to threshold, as stored; luminance for an image without alpha.",
           .fallback = std::string("a"),
           .choices = {"a", "luminance", "r", "g", "b"}},
-         number("threshold", "What a pixel inside has at least; between two, interpolated.", "",
-                0.5, -1e9, 1e9),
-         number("tolerance", "How far the outline may be simplified.", "pixels", 0.5, 0, 100),
-         number("min_area", "Parts and holes of less are left out.", "square pixels", 4, 0, 1e9),
+         number_spec("threshold", "What a pixel inside has at least; between two, interpolated.",
+                     "", 0.5, -1e9, 1e9),
+         number_spec("tolerance", "How far the outline may be simplified.", "pixels", 0.5, 0, 100),
+         number_spec("min_area", "Parts and holes of less are left out.", "square pixels", 4, 0,
+                     1e9),
          {.name = "invert",
           .type = ParamType::boolean,
-          .doc = "Takes what lies below the threshold.",
+          .doc = "Takes the pixels below the threshold instead.",
           .fallback = false}},
         image_region};
 }

@@ -14,8 +14,8 @@ namespace scree {
 
 namespace {
 
-// A region of more would keep the layout busy for minutes; drawings of motifs have hundreds.
-constexpr std::size_t most_points = 200'000;
+// A layout of a region with more points would take minutes; usual drawings have hundreds.
+constexpr std::size_t max_svg_points = 200'000;
 
 double longest_side(const Box2& box) {
     if (box.isEmpty())
@@ -27,13 +27,15 @@ std::vector<FilledRings> flattened(const std::vector<SvgShape>& shapes, double t
     std::vector<FilledRings> out;
     std::size_t points = 0;
     for (const SvgShape& shape : shapes)
-        out.push_back({shape.path.flatten(tolerance, points, most_points), shape.rule});
-    if (points > most_points)
-        throw Error(fmt::format("has more than {} points; give a larger tolerance", most_points));
+        out.push_back({shape.path.flatten(tolerance, points, max_svg_points), shape.rule});
+    if (points > max_svg_points)
+        throw Error(
+            fmt::format("has more than {} points; give a larger tolerance", max_svg_points));
     return out;
 }
 
-/// The shapes' union in the drawing's units, its curves within `tolerance` times its longest side.
+/// The union of the shapes in the drawing's units. Curves are flattened with an error of at most
+/// `tolerance` times the longest side.
 Region drawn(const std::vector<SvgShape>& shapes, double tolerance) {
     Box2 control;
     for (const SvgShape& shape : shapes)
@@ -42,14 +44,14 @@ Region drawn(const std::vector<SvgShape>& shapes, double tolerance) {
     if (!(longest > 0))
         throw Error("draws nothing that is filled");
     const Region region = fill(flattened(shapes, tolerance * longest));
-    // Control points may lie far outside what they draw.
+    // The bounds of the control points may be much larger than those of the curves.
     const double drawn_longest = longest_side(bounds(region));
     if (drawn_longest > 0.999 * longest)
         return region;
     return fill(flattened(shapes, tolerance * drawn_longest));
 }
 
-/// The region in metres as the parameters size, scale and centred say.
+/// The region in metres, placed according to the parameters size, scale and centred.
 Region placed(const Params& params, const Region& region, double usual_size) {
     if (params.has("size") && params.has("scale"))
         throw params.error("scale", "stands beside size, which also says how large it is",
@@ -69,13 +71,13 @@ Region placed(const Params& params, const Region& region, double usual_size) {
     for (Ring& ring : rings)
         for (Vec2& v : ring)
             v = (v - origin) * scale;
-    return fill({{std::move(rings), FillRule::nonzero}}); // rounding may have made edges touch
+    return fill({{std::move(rings), FillRule::nonzero}}); // rounding may make edges touch
 }
 
 std::vector<ParamSpec> with_size(std::vector<ParamSpec> params, std::string scale_doc) {
     params.push_back({.name = "size",
                       .type = ParamType::number,
-                      .doc = "Longest side of what is filled.",
+                      .doc = "Longest side of the filled area.",
                       .unit = "m",
                       .optional = true,
                       .min = 1e-6,
@@ -93,8 +95,9 @@ std::vector<ParamSpec> with_size(std::vector<ParamSpec> params, std::string scal
                       .fallback = true});
     params.push_back({.name = "tolerance",
                       .type = ParamType::number,
-                      .doc = "How far an edge may lie from its curve, as a share of the longest "
-                             "side.",
+                      .doc =
+                          "Maximum distance of an edge from its curve, as a share of the longest "
+                          "side.",
                       .fallback = 0.001,
                       .min = 1e-5,
                       .max = 0.1});
@@ -133,7 +136,7 @@ Plugin<MakeRegion> svg_region_plugin() {
             with_size({{.name = "path", .type = ParamType::path, .doc = "An SVG file."},
                        {.name = "element",
                         .type = ParamType::text,
-                        .doc = "The id of the one element to take, with what is in it.",
+                        .doc = "The id of the only element to take, with its children.",
                         .optional = true}},
                       "Metres per pixel (1/96 inch) of the drawing; without it and size, the "
                       "longest side is 1 m."),
@@ -146,7 +149,7 @@ Plugin<MakeRegion> path_region_plugin() {
         with_size({{.name = "d", .type = ParamType::text, .doc = "The path: \"M0 0 L1 0 L1 1 Z\"."},
                    {.name = "fill_rule",
                     .type = ParamType::choice,
-                    .doc = "What is inside a path that crosses itself.",
+                    .doc = "Which parts of a path that crosses itself are inside.",
                     .fallback = std::string("nonzero"),
                     .choices = {"nonzero", "evenodd"}}},
                   "Metres per unit of the path; 1 when neither it nor size is given."),

@@ -14,13 +14,7 @@ namespace scree {
 namespace {
 
 ParamSpec length(std::string name, std::string doc, double fallback) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = "m",
-            .fallback = fallback,
-            .min = 1e-6,
-            .max = 1e6};
+    return number_spec(std::move(name), std::move(doc), "m", fallback, 1e-6, 1e6);
 }
 
 void check_stroke(const Params& params, double limit) {
@@ -93,7 +87,7 @@ Plugin<MakeRegion> letter_plugin(std::string name, std::string doc, Ring (*outli
 Region polygon(const Params& params) {
     const Ring& outer = params.points("points");
     std::vector<Ring> rings{outer};
-    // Each ring by itself first, so that a mistake is named where it was written.
+    // Each ring is checked alone first, so that an error is located at that ring.
     const Region whole = located(params, "points", [&] { return triangulate({outer}); });
     const std::vector<Params> none;
     const std::vector<Params>& holes = params.has("holes") ? params.list("holes") : none;
@@ -123,32 +117,34 @@ Plugin<MakeRegion> polygon_plugin() {
                          .min_items = 3};
     };
     return {"polygon",
-            "A polygon with holes, in any direction, as it lies in x-z.",
+            "A polygon with holes in the x-z plane; rings may wind either way.",
             {points("Corners of the outline; no two edges may cross or touch."),
              {.name = "holes",
               .type = ParamType::list,
-              .doc = "Holes, each a table with its points.",
+              .doc = "Holes, each a table with `points`.",
               .optional = true,
               .fields = {points("Corners of the hole.")}}},
             polygon};
 }
 
 Plugin<MakeRegion> mesh_silhouette_plugin() {
-    return {"mesh_silhouette",
-            "The outline of a mesh seen from above, with its holes; never smaller than the mesh.",
-            {{.name = "mesh", .type = ParamType::object, .families = {"mesh"}, .doc = "The mesh."},
-             {.name = "tolerance",
-              .type = ParamType::number,
-              .doc = "How far the outline may lie outside, as a share of its longest side.",
-              .fallback = 0.005,
-              .min = 0.0,
-              .max = 0.2}},
-            [](const Params& params) {
-                return located(params, "mesh", [&] {
-                    return silhouette(*params.object<Mesh>("mesh"),
-                                      {.tolerance = params.number("tolerance")});
-                });
-            }};
+    return {
+        "mesh_silhouette",
+        "The silhouette of a mesh from above, with holes; it always covers the mesh.",
+        {{.name = "mesh", .type = ParamType::object, .families = {"mesh"}, .doc = "The mesh."},
+         {.name = "tolerance",
+          .type = ParamType::number,
+          .doc =
+              "Maximum distance of the outline outside the mesh, as a share of its longest side.",
+          .fallback = 0.005,
+          .min = 0.0,
+          .max = 0.2}},
+        [](const Params& params) {
+            return located(params, "mesh", [&] {
+                return silhouette(*params.object<Mesh>("mesh"),
+                                  {.tolerance = params.number("tolerance")});
+            });
+        }};
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program run in a folder of the test's own.
+// Runs the program in a temporary folder.
 #pragma once
 
 #include "core/file.h"

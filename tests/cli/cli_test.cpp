@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program as a user meets it: exit codes, messages, files, and the same bytes on any threads.
+// The program as seen by a user: exit codes, messages, files, and results that do not depend on the
+// number of threads.
 #include "core/file.h"
 #include "core/image.h"
 #include "geometry/plane/height_field.h"
@@ -87,7 +88,7 @@ TEST_F(Cli, BadValuesOfOptionsAreUsageErrors) {
     }
 }
 
-TEST_F(Cli, MistakesInTheInputAreOne) {
+TEST_F(Cli, InputErrorsExitWithOne) {
     EXPECT_EQ(run("render none.lua").code, 1);
     EXPECT_EQ(run("render none.lua").err, "none.lua: no such file\n");
     const Outcome outcome = run("check small.lua --set sed=4");
@@ -97,7 +98,7 @@ TEST_F(Cli, MistakesInTheInputAreOne) {
     EXPECT_EQ(run("diff small.lua small.lua").code, 1);
 }
 
-TEST_F(Cli, AnUnwritableOutputIsAResourceErrorFoundBeforeTheWork) {
+TEST_F(Cli, AnUnwritableOutputIsAResourceErrorReportedBeforeRendering) {
     const Outcome outcome = run("render small.lua -o no/such/folder/a.exr");
     EXPECT_EQ(outcome.code, 3);
     EXPECT_EQ(outcome.err, "cannot write no/such/folder/a.exr: no such folder no/such/folder\n");
@@ -163,7 +164,7 @@ TEST_F(Cli, BakedFileHoldsTheBindingKeys) {
     EXPECT_EQ(aggregate["prototypes"][1]["name"], "banana");
     EXPECT_GT(aggregate["prototypes"][0]["region"].size(), 0U);
     EXPECT_EQ(aggregate["facts"]["count"], aggregate["instances"].size());
-    // The matrix says the same as position, angle and scale, up to float rounding.
+    // The matrix agrees with position, angle and scale up to rounding to float.
     for (const auto& instance : aggregate["instances"]) {
         const auto& m = instance["matrix"];
         ASSERT_EQ(m.size(), 12U);
@@ -194,7 +195,7 @@ TEST_F(Cli, BakeDrawsTheLayoutFromAbove) {
         "layout.xyz: cannot bake to .xyz; expected one of .json, .svg, .png, .exr, .stl, .3mf\n");
 }
 
-TEST_F(Cli, AnalyseSaysTheSameOfASceneAndOfItsBakedFile) {
+TEST_F(Cli, AnalyseOfASceneEqualsThatOfItsBakedFile) {
     ASSERT_EQ(run("analyse small.lua -o a.json").code, 0);
     ASSERT_EQ(run("bake small.lua -o baked.json").code, 0);
     ASSERT_EQ(run("analyse baked.json -o b.json --threads 1").code, 0);
@@ -222,7 +223,7 @@ TEST_F(Cli, AnalyseAveragesOverSeeds) {
     EXPECT_NE(report["layouts"][0]["fill"], report["layouts"][1]["fill"]);
 }
 
-TEST_F(Cli, AnalyseNamesWhatIsWrong) {
+TEST_F(Cli, AnalyseReportsErrors) {
     write_file(path("bad.json"), "{\"aggregates\": [{\"generator\": \"g\"}]}");
     Outcome outcome = run("analyse bad.json -o a.json");
     EXPECT_EQ(outcome.code, 1);
@@ -280,12 +281,12 @@ TEST_F(Cli, ListShowsEveryParameterFromItsDeclaration) {
 }
 
 // When this fails: ./scree list --markdown > docs/reference.md
-TEST_F(Cli, ReferencePageIsThatOfTheDeclarations) {
+TEST_F(Cli, ReferencePageIsUpToDate) {
     EXPECT_EQ(run("list --markdown").out,
               read_file(std::string(SCREE_SOURCE_DIR) + "/docs/reference.md"));
 }
 
-TEST_F(Cli, CtrlCKeepsWhatIsDone) {
+TEST_F(Cli, CtrlCKeepsThePictureSoFar) {
     const std::string command =
         "cd '" + folder_.string() + "'; '" + SCREE_PROGRAM +
         "' render small.lua -o a.exr --spp 1000000 2>err.txt & "
@@ -336,7 +337,7 @@ TEST_F(Cli, HeightWritesTheMapInMetres) {
     EXPECT_NE(leaning.offset({0.31, 0.47}).x, 0) << "shoulders lean over the grooves";
 }
 
-TEST_F(Cli, HeightSaysWhatItCannotWrite) {
+TEST_F(Cli, HeightReportsErrors) {
     write_file(path("two.lua"), "local g = generator.leather { size = 0.03, resolution = 16,\n"
                                 "  triangles = 100 }\n"
                                 "return scene { objects = { g, g } }\n");

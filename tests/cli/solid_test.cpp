@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `scree bake` to files for printers: what it writes and what it says.
+// `scree bake` to files for 3D printers: outputs and messages.
 #include "tests/cli/cli_fixture.h"
 
 #include <nlohmann/json.hpp>
@@ -26,12 +26,12 @@ class SolidCli : public tests::CliTest {
         "  object { shape = mesh.plane {} } } }\n";
 };
 
-TEST_F(SolidCli, PartsAndFilesAreWhatTheStatsSay) {
+TEST_F(SolidCli, PartsAndFilesAgreeWithTheStats) {
     const Outcome outcome =
         run("bake balls.lua -o a.stl --resolution 1mm --parts keep --stats a.json");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const auto solid = nlohmann::json::parse(read_file(path("a.json"))).at("solid");
-    // Balls that all but touch are one at this resolution.
+    // Balls that almost touch are merged at this resolution.
     EXPECT_GT(solid.at("parts").size(), 10U);
     EXPECT_LE(solid.at("parts").size(), solid.at("components"));
     EXPECT_EQ(solid.at("resolution_mm"), 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `scree texture`: what it writes, what it says, and that a baked texture looks like what it is of.
+// `scree texture`: outputs, messages, and that a baked texture looks like its procedural.
 #include "core/display_encoding.h"
 #include "core/image.h"
 #include "geometry/plane/height_field.h"
@@ -29,7 +29,7 @@ class TextureCli : public tests::CliTest {
         EXPECT_EQ(outcome.err, message) << arguments;
     }
 
-    // The color is a checker, or with --set picture=FILE that picture over the same mesh's UVs.
+    // The color is a checker or, with --set picture=FILE, a picture on the mesh's UVs.
     static constexpr const char* checker_scene =
         "local picture = arg('picture', '')\n"
         "local color = picture == '' and procedural.checker { size = 0.07 }\n"
@@ -166,7 +166,7 @@ TEST_F(MarbleCli, WritesEveryChannel) {
     EXPECT_EQ(stats["texture"]["covered"], 96 * 64);
     EXPECT_EQ(stats["texture"]["overlapped"], 0);
 
-    // The map of normals is that of the map of heights where that has pixels enough for its veins.
+    // The normal map agrees with the height map where that has enough pixels to resolve its veins.
     const std::string fine = "texture marble.lua --object 2 --size 600 ";
     ASSERT_EQ(run(fine + "-o h.exr --channel height").code, 0);
     ASSERT_EQ(run(fine + "-o n.exr --channel normal").code, 0);
@@ -226,7 +226,7 @@ TEST_F(MarbleCli, WritesSlicesAndVolumes) {
               "flat.obj is not closed: the whole of its bounding box is filled\nwrote a.vdb\n");
 }
 
-TEST_F(MarbleCli, NamesWhatIsWrongInTheScene) {
+TEST_F(MarbleCli, ReportsErrorsInTheScene) {
     expect_error("none.lua -o a.png", 1, "none.lua: no such file\n");
     write_file(path("plain.lua"),
                "return scene { objects = { object { shape = mesh.box {} } } }\n");
@@ -258,7 +258,7 @@ TEST_F(MarbleCli, NamesWhatIsWrongInTheScene) {
                  "no place on it\n  unwrap it in a modelling program\n");
 }
 
-TEST_F(MarbleCli, RefusesWhatCannotBeTogether) {
+TEST_F(MarbleCli, RefusesInvalidCombinations) {
     expect_error("marble.lua -o a.jpg", 2,
                  "a.jpg: expected a name that ends in .png, .exr or .vdb\n");
     expect_error("marble.lua -o a.vdb --map uv", 2,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every message that a scene can cause, word for word: cases/NAME.lua (or .json) must fail with
-// the text of cases/NAME.txt. A script's first lines may say `--! set name=value`,
-// `--! seconds 0.3` or `--! memory 32` (MiB). SCREE_UPDATE_ERRORS=1 writes the .txt files anew.
+// The exact error messages of invalid scenes: cases/NAME.lua (or .json) must fail with the text of
+// cases/NAME.txt. A script's first lines may contain `--! set name=value`, `--! seconds 0.3` or
+// `--! memory 32` (MiB). SCREE_UPDATE_ERRORS=1 updates the .txt files.
 #include "core/file.h"
 #include "scenes/reader/scene.h"
 #include "scenes/reader/script.h"
@@ -74,7 +74,7 @@ std::string message_of(const std::string& name) {
 class ErrorMessage : public testing::TestWithParam<std::string> {};
 
 TEST_P(ErrorMessage, IsWordForWord) {
-    fs::current_path(folder); // messages show paths as given: here, names alone
+    fs::current_path(folder); // messages show paths as given, here file names only
     const std::string expected_file = fs::path(GetParam()).replace_extension(".txt").string();
     const std::string message = message_of(GetParam());
     if (std::getenv("SCREE_UPDATE_ERRORS") != nullptr)

@@ -12,7 +12,8 @@ namespace {
 
 using Exact = CGAL::Exact_rational;
 
-/// The point (x + u sqrt(s), y + v sqrt(s)) with rational numbers, which every vertex is.
+/// A vertex of the arrangement. All have the form (x + u sqrt(s), y + v sqrt(s)) with rational x,
+/// y, u, v, s.
 struct Vertex {
     Exact x, u, y, v, s;
 };
@@ -89,8 +90,8 @@ class Arrangement {
     }
 
   private:
-    // By how much numbers in double may be wrong: two circles that nearly touch cross at points
-    // that are known to the root of the rounding only.
+    // Error bound of double precision. The crossings of two nearly tangent circles are known only
+    // to the square root of the rounding error.
     static constexpr double doubt = 1e-6;
 
     static std::vector<Box2> boxes_of(const std::vector<Disk>& disks) {
@@ -155,8 +156,7 @@ class Arrangement {
             const Vec2 away = Vec2(-offset.y, offset.x) * std::sqrt(std::max(0.0, across2));
             for (const int side : {-1, 1}) {
                 const Vec2 near = foot + away * side;
-                // Rounding can move it by more than the domain's own tolerance only where the
-                // circles nearly touch.
+                // Only for nearly tangent circles can rounding exceed the domain's tolerance.
                 const bool nearly_touch = across2 < doubt;
                 if (!nearly_touch && (!in_domain(near) || surely_covered(near)))
                     continue;
@@ -178,7 +178,7 @@ class Arrangement {
                     return;
                 const Vec2 near = nearby(vertex);
                 const double share = (near - from).dot(to - from) / (to - from).length2();
-                // The ends are corners.
+                // Ends outside [0, 1] are beyond the edge's corners.
                 if (share >= 0 && share <= 1 && !surely_covered(near) && !covered(vertex, near))
                     ++bare_;
             }

@@ -31,7 +31,7 @@ Place gradient(const Function& value, const Place& at, double step) {
     return out;
 }
 
-/// The shortest of all convex combinations, nearly (Gilbert 1966).
+/// Approximately the shortest vector in the convex hull of the gradients (Gilbert 1966).
 Place shortest(const std::vector<Place>& gradients) {
     Place best = gradients[0];
     for (int i = 0; i < 60; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether disks cover a domain, decided in exact arithmetic.
+// Exact tests of whether disks cover a domain.
 #pragma once
 
 #include "geometry/plane/region.h"
@@ -13,22 +13,22 @@ struct Disk {
     double radius = 0; // [m]
 };
 
-/// Places of the domain that are further than `radius` from all points, counted among those that
-/// can be the furthest: the distance to the nearest point is convex over each Voronoi cell's part
-/// of the domain, so its largest values are at Voronoi vertices inside the domain, where Voronoi
-/// edges cross the domain's edges, and at the domain's corners. None if and only if the domain is
-/// covered. On a torus the domain is a rectangle that repeats.
+/// Counts candidate places of the domain that are farther than `radius` from all points. The
+/// distance to the nearest point is convex in the part of the domain inside each Voronoi cell. So
+/// its maxima lie at Voronoi vertices inside the domain, at crossings of Voronoi edges with the
+/// domain's edges, or at the domain's corners. The count is 0 if and only if the domain is covered.
+/// On a torus the domain is a periodic rectangle.
 std::size_t far_places(const std::vector<Vec2>& points, const Region& domain, bool torus,
                        double radius);
 
-/// Places of the domain that no open disk contains, counted among the vertices of the disks'
-/// arrangement: where two circles cross, where a circle crosses the domain's border, the domain's
-/// corners, and one point of each circle. None if and only if the domain is covered, up to single
-/// points: take a connected part of what is not covered. Its closure's border consists of arcs of
-/// circles and pieces of the domain's border. Either there is a place where two of them meet, which
-/// is one of the vertices and lies in no open disk; or the border holds a whole circle, of which
-/// then no point lies in another open disk. (A whole ring of the domain has corners. On a torus
-/// what is not covered has a border if there is a disk at all.)
+/// Counts vertices of the disks' arrangement inside the domain that no open disk contains. Vertices
+/// are crossings of two circles, crossings of a circle with the domain's border, corners of the
+/// domain, and one point of each circle. The count is 0 if and only if the domain is covered,
+/// except for isolated points. Proof: the boundary of an uncovered component consists of arcs of
+/// circles and parts of the domain's border. If two of these meet, they do so in a vertex that lies
+/// in no open disk. Otherwise the boundary contains a whole circle, none of whose points lies in
+/// another open disk. (A whole ring of the domain has corners. On a torus the uncovered part has a
+/// boundary if there is any disk.)
 std::size_t bare_vertices(const std::vector<Disk>& disks, const Region& domain, bool torus);
 
 } // namespace scree::tests

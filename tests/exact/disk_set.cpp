@@ -92,7 +92,8 @@ DiskSample DiskSet::sample(const Vec2& position, std::uint32_t disk_class, doubl
 bool DiskSet::round_conflict(std::size_t i, std::size_t j) const {
     const Vec2& a = samples_[i].position;
     const Vec2& b = samples_[j].position;
-    // Whole periods are exact in rational numbers, though their sum with a position is not.
+    // Multiples of the period are added in rational arithmetic, since the sum is not exact in
+    // double.
     const Vec2 turns = problem_.torus ? Vec2(std::round((b.x - a.x) / period_.x),
                                              std::round((b.y - a.y) / period_.y))
                                       : Vec2(0, 0);
@@ -118,7 +119,7 @@ bool DiskSet::ellipse_conflict(std::size_t i, std::size_t j) const {
 }
 
 std::size_t DiskSet::conflicts() const {
-    const double far = 1.001 * reach_; // more than rounding can be wrong by
+    const double far = 1.001 * reach_; // with a margin for rounding
     std::size_t count = 0;
     for (std::size_t i = 0; i < samples_.size(); ++i)
         for (std::size_t j = i + 1; j < samples_.size(); ++j) {

@@ -8,24 +8,24 @@
 
 namespace scree::tests {
 
-/// Samples under the rule of conflict as Kita & Miyata 2012 state it (eq. 2 and 3), written down
-/// again: nothing of the sampler's own tests is used but `class_distances`.
+/// A set of samples with an independent implementation of the conflict rule of Kita & Miyata 2012
+/// (eqs. 2 and 3): of the sampler's code only `class_distances` is used.
 class DiskSet {
   public:
     DiskSet(const PoissonDiskProblem& problem, std::vector<DiskSample> samples);
 
-    /// Pairs that conflict, by brute force: of equal axes in rational numbers, of ellipses in long
-    /// double up to 1e-12 of an axis.
+    /// The number of conflicting pairs: for disks in rational arithmetic, for ellipses in long
+    /// double with a tolerance of 1e-12 of an axis.
     std::size_t conflicts() const;
 
-    /// Samples outside the domain, or with an angle or a scale that the fields do not give.
+    /// The number of samples outside the domain, or whose angle or scale disagrees with the fields.
     std::size_t misplaced() const;
 
-    /// The least distance from a new sample to any other, the longer of both ways round, in units
-    /// of what keeps them apart: it could be added where this is 1 or more.
+    /// The minimum over all samples of the distance to a new one, the larger of both directions, in
+    /// units of the required distance. The sample can be added if this is at least 1.
     double margin(const DiskSample& added) const;
 
-    /// A sample at a point of the domain, turned by a share of its class's range.
+    /// A sample at a point of the domain; `turn` is a share of its class's range of rotation.
     DiskSample sample(const Vec2& position, std::uint32_t disk_class, double turn) const;
 
     const PoissonDiskProblem& problem() const { return problem_; }
@@ -33,13 +33,13 @@ class DiskSet {
     Vec2 period() const { return period_; } // of the torus
     double reach() const { return reach_; } // the longest distance at which samples can conflict
 
-    /// What keeps two samples of these classes apart where all axes are equal [m].
+    /// The required distance of two samples of these classes, if all axes are equal [m].
     double distance(std::uint32_t a, std::uint32_t b) const {
         return distances_[a * problem_.classes.size() + b];
     }
 
   private:
-    using Jacobian = std::array<double, 4>; // row by row; takes a sample's ellipse to a unit disk
+    using Jacobian = std::array<double, 4>; // row by row; maps a sample's ellipse to the unit disk
 
     static Jacobian jacobian(const DiskClass& of, double angle, double scale);
     double squared_distance(const Jacobian& from, std::uint32_t class_from, std::uint32_t class_to,

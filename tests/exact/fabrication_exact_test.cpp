@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The union of solids against CGAL's predicates: closed, manifold, oriented, free of
-// self-intersections.
+// The union of solids is closed, manifold, oriented and free of self-intersections, by CGAL's
+// predicates.
 #include "core/random.h"
 #include "fabrication/cell_surface.h"
 #include "fabrication/fabricate.h"
@@ -27,7 +27,7 @@ using tests::aggregate_of;
 using tests::instance;
 using tests::placed;
 
-// As STL shows it: triangles joined by nothing but equal positions.
+// The mesh as in an STL file: triangles connected only by equal positions.
 Surface cgal_surface(const Mesh& mesh) {
     const std::vector<std::uint32_t> welded = weld(mesh);
     std::vector<Point> points;
@@ -67,7 +67,7 @@ float uniform(Random& random, float low, float high) {
     return low + (high - low) * random.uniform_float();
 }
 
-// Rings, boxes and balls on top of each other, turned in every way.
+// Overlapping rings, boxes and balls in random orientations.
 Aggregate heap(int count) {
     Random random(5, Purpose::test, 0);
     std::vector<Instance> instances;
@@ -84,7 +84,7 @@ Aggregate heap(int count) {
                         instances);
 }
 
-TEST(FabricationExact, CellsPartTheirCornersWithoutMeetingThemselves) {
+TEST(FabricationExact, CellsSeparateTheirCornersWithoutSelfIntersections) {
     Random random(1, Purpose::test, 0);
     for (unsigned inside = 1; inside < 255; ++inside)
         for (int turn = 0; turn < 40; ++turn) {
@@ -93,7 +93,7 @@ TEST(FabricationExact, CellsPartTheirCornersWithoutMeetingThemselves) {
                 const CellEdge edge = cell_edge(e);
                 std::array<double, 3> p{double(edge.lower & 1), double(edge.lower >> 1 & 1),
                                         double(edge.lower >> 2)};
-                const double u = random.uniform(); // ends are where surfaces come together
+                const double u = random.uniform(); // surfaces come close at the ends of edges
                 p[std::size_t(edge.axis)] = u < 0.35 ? 0.02 : u > 0.65 ? 0.98 : u;
                 points.emplace_back(p[0], p[1], p[2]);
             }
@@ -136,7 +136,7 @@ TEST(FabricationExact, BridgedHeapsAreSolid) {
     expect_solid(fabricate({&aggregate, 1}, options, {}), 1);
 }
 
-// Facets in the planes of the lattice, where distances are 0 at its points.
+// With facets in lattice planes, where the distances at lattice points are 0.
 TEST(FabricationExact, BoxesOnTheLatticeAreSolid) {
     const Prototype box = tests::component("box", {{"width", 0.01}});
     const Aggregate aggregate =

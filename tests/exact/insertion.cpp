@@ -60,7 +60,7 @@ class Search {
         return set_.margin(set_.sample(dart.position, dart.disk_class, dart.turn));
     }
 
-    /// The highest margin at the places of the domain that a climb from the dart visits.
+    /// The largest margin at places of the domain that a climb from the dart visits.
     double climb(const Dart& start, Random& random) const {
         double best = start.margin;
         const auto value = [&](const Place& step) {
@@ -70,7 +70,7 @@ class Search {
             const double out = outside(dart.position) / set_.reach();
             if (out <= 0)
                 best = std::max(best, found);
-            // So steep that no margin beyond the border makes up for it.
+            // A penalty outside the domain, steeper than any margin can rise there.
             return found - 2 * steepest_ * std::max(0.0, out);
         };
         constexpr double beyond_doubt = 1.001;
@@ -89,7 +89,7 @@ class Search {
         return point;
     }
 
-    /// How far a point is from what is to be filled [m]; 0 or less inside.
+    /// Distance of a point from the area to be filled [m]; 0 or less inside.
     double outside(const Vec2& point) const {
         double out = 0;
         if (window_)
@@ -102,21 +102,21 @@ class Search {
 
     const DiskSet& set_;
     const std::optional<Box2>& window_;
-    double steepest_ = 1; // margin over a reach
+    double steepest_ = 1; // maximum change of the margin per reach
 };
 
 } // namespace
 
 Insertion try_to_insert(const DiskSet& set, std::size_t darts, std::uint64_t seed,
                         const std::optional<Box2>& window) {
-    // With tens of darts in every square those nearest to a place with room come closer than this.
+    // With tens of darts per square, the best dart near a place with room has a larger margin.
     constexpr double worth_a_climb = 0.9;
     const Search search(set, window);
     const RegionPoints points(*set.problem().domain);
     const auto classes = static_cast<std::uint32_t>(set.problem().classes.size());
     Random random(seed, Purpose::test);
     Insertion found;
-    std::map<std::array<std::int64_t, 3>, Dart> best; // of each square and class
+    std::map<std::array<std::int64_t, 3>, Dart> best; // dart of each square and class
     for (std::size_t i = 0; i < darts; ++i) {
         Dart dart{points.draw(random), static_cast<std::uint32_t>(i % classes), random.uniform()};
         if (window && !window->intersects(dart.position))

@@ -5,18 +5,17 @@
 
 namespace scree::tests {
 
-/// What was found by trying to add a sample to a set.
+/// The result of trying to add a sample to a set.
 struct Insertion {
     std::size_t fitted = 0;  // random darts that conflict with no sample
-    std::size_t climbs = 0;  // searches from the darts that came closest to fitting
-    std::size_t reached = 0; // of those, how many found room, 1e-9 of an axis or more of it
-    double highest = 0;      // margin found
+    std::size_t climbs = 0;  // searches, which start from the darts with the largest margins
+    std::size_t reached = 0; // searches that found room of at least 1e-9 of an axis
+    double highest = 0;      // largest margin found
 };
 
-/// Throws darts of every class, uniformly over the domain, or its part in `window`, and over the
-/// angles, and climbs from the best of each small square, over position and angle, towards places
-/// with the most room. Where coverage has no closed form this is the closest test we know; it can
-/// miss room, but not invent any.
+/// Throws darts of every class, uniform over the domain (or its part in `window`) and over angles.
+/// From the best dart of each small square it then climbs, over position and angle, towards more
+/// room. Used where coverage has no closed form; it may miss room but never reports false room.
 Insertion try_to_insert(const DiskSet& set, std::size_t darts, std::uint64_t seed,
                         const std::optional<Box2>& window = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// No two regions overlap and none leaves the domain, by CGAL's exact predicates on the regions as
-// an instance's matrix places them: nothing of the generator's own tests is used.
+// No two regions overlap and none leaves the domain: by CGAL's exact predicates on the regions
+// transformed by the instances' matrices, independent of the generator's code.
 #include "core/random.h"
 #include "geometry/plane/region_shapes.h"
 #include "geometry/plane/region_tools.h"
@@ -30,7 +30,7 @@ Ring reversed(Ring ring) {
     return ring;
 }
 
-/// A ring of tubes, standing in for a mesh with a hole.
+/// A torus, as a mesh with a hole.
 Mesh torus(float radius, float tube) {
     constexpr std::uint32_t around = 48, across = 16;
     Mesh mesh;
@@ -40,7 +40,7 @@ Mesh torus(float radius, float tube) {
             const auto u = static_cast<float>(2 * pi * i / around);
             const auto v = static_cast<float>(2 * pi * j / across);
             const float r = radius + tube * std::cos(v);
-            // Off its own origin, so that a forgotten centre shows.
+            // Not centred on the origin, to detect a missing offset.
             mesh.positions.emplace_back(r * std::cos(u) + 0.3F, tube * std::sin(v) + tube,
                                         r * std::sin(u) - 0.2F);
             const std::uint32_t a = i * across + j, b = i * across + (j + 1) % across;
@@ -101,7 +101,7 @@ std::size_t count_overlaps(const std::vector<Element>& elements) {
     return count;
 }
 
-/// Edges of elements that touch the domain's border, and elements beyond it.
+/// The number of elements that touch the domain's border or lie outside.
 std::size_t count_outside(const std::vector<Element>& elements, const Region& domain) {
     std::size_t count = 0;
     for (const Element& element : elements) {
@@ -156,8 +156,7 @@ TEST_P(LayoutExact, RegionsAreApartAndInside) {
         params.set("seed", std::int64_t{seed});
         params.set("cancellations", std::int64_t{method == "naive" ? 3000 : 200});
         params.set("resolution", std::int64_t{256});
-        // Shapes that no point sees whole must be searched for at every scale: minutes for the
-        // wide range.
+        // The search for shapes that are not star-shaped takes minutes for a wide range of scales.
         const bool is_hard = method == "saturated" && index >= 3;
         if (scaled)
             params.set("scale", is_hard ? Range{0.95, 1} : Range{0.2, 1.5});
@@ -235,11 +234,11 @@ TEST(LayoutExactMixed, OnATorusImagesAreApartToo) {
     }
 }
 
-TEST(LayoutExactMixed, TheTestItselfSeesAnOverlap) {
+TEST(LayoutExactMixed, TheTestDetectsAnOverlap) {
     const auto domain = shared({rectangle_ring(2, 2)});
     Params params = tests::layout_params(domain, {tests::component(0, cases()[0].shape)});
     Aggregate aggregate = layout_plugin().make(params, {});
-    // Move one element onto its neighbour: the count must notice.
+    // An element moved onto its neighbour must be counted.
     aggregate.instances[1].world_from_object = aggregate.instances[0].world_from_object;
     std::vector<Element> elements;
     for (const Instance& instance : aggregate.instances)

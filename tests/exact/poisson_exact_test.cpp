@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Poisson-disk sets are free of conflicts and leave no room for another sample: by exact arithmetic
-// where all axes are equal, by dense probing where they are not.
+// Poisson-disk sets have no conflicts and no room for another sample: by exact arithmetic for
+// disks, by dense probing for ellipses.
 #include "shapes/field/grid_field.h"
 #include "tests/exact/coverage.h"
 #include "tests/exact/insertion.h"
@@ -14,10 +14,10 @@ namespace scree::tests {
 namespace {
 
 constexpr double size = 0.03;      // [m], about 500 samples in the pierced domain
-constexpr double slack = 1 + 1e-9; // what the sampler leaves unresolved is smaller
+constexpr double slack = 1 + 1e-9; // allows for gaps that the sampler leaves unresolved
 constexpr std::size_t darts = 100000;
 
-/// A field that repeats itself on the unit torus and is smooth.
+/// A smooth field that is periodic on the unit torus.
 std::shared_ptr<const Field> waves(double low, double high, bool angle) {
     SampleGrid grid{64, 64, Vec2(-0.5 + 0.5 / 64), Vec2(1.0 / 64)};
     for (int row = 0; row < grid.rows; ++row)
@@ -37,7 +37,8 @@ std::vector<Vec2> positions(const std::vector<DiskSample>& samples) {
     return out;
 }
 
-/// Where no sample of a class can be added, disks with these radii cover the domain.
+/// The disks in which no sample of the class can be added: the set is maximal if they cover the
+/// domain.
 std::vector<Disk> disks_against(const DiskSet& set, std::uint32_t disk_class) {
     std::vector<Disk> disks;
     for (const DiskSample& s : set.samples())
@@ -64,7 +65,7 @@ bool is_round(const PoissonDiskProblem& problem) {
            });
 }
 
-/// All that is asked of a set.
+/// Checks all required properties of a set.
 void expect_maximal(const PoissonDiskProblem& problem, const std::vector<DiskSample>& samples,
                     std::size_t throws = darts) {
     const DiskSet set(problem, samples);
@@ -74,7 +75,7 @@ void expect_maximal(const PoissonDiskProblem& problem, const std::vector<DiskSam
     EXPECT_EQ(insertion.fitted, 0U);
     EXPECT_EQ(insertion.reached, 0U)
         << "of " << insertion.climbs << ", up to " << insertion.highest;
-    if (problem.relax == 0) { // relaxed ones leave few places that nearly have room
+    if (problem.relax == 0) { // relaxed sets have few places that almost have room
         EXPECT_GT(insertion.climbs, 20U);
     }
     if (is_round(problem)) {
@@ -87,7 +88,7 @@ void expect_maximal(const PoissonDiskProblem& problem, const std::vector<DiskSam
 
 std::vector<DiskSample> filled(const PoissonDiskProblem& problem) {
     PoissonDiskSet set = sample_poisson_disks(problem, {});
-    // Ellipses that turn may just touch in a point between them, which no number of bits resolves.
+    // Rotating ellipses may be tangent at a point, which no finite precision resolves.
     EXPECT_LT(set.unresolved, is_round(problem) ? 1U : 30U);
     EXPECT_GE(set.trials, set.samples.size());
     std::vector<DiskSample> all = problem.kept;
@@ -119,7 +120,7 @@ TEST_P(PoissonExactModes, OnATorus) {
     for (const std::uint64_t seed : {1, 2, 3}) {
         PoissonDiskProblem problem = problem_of(GetParam(), square_domain(1), size, seed);
         problem.torus = true;
-        if (problem.direction != nullptr && seed > 1) // the whirl jumps at the seam
+        if (problem.direction != nullptr && seed > 1) // the whirl is discontinuous at the seam
             problem.direction = waves(0, 180, true);
         expect_maximal(problem, filled(problem));
     }
@@ -198,7 +199,7 @@ TEST_P(PoissonExactModes, OnlyTheWindowIsFilled) {
 INSTANTIATE_TEST_SUITE_P(All, PoissonExactModes, testing::ValuesIn(all_modes()),
                          [](const auto& test) { return name_of(test.param); });
 
-/// Ellipses of one direction are disks in other coordinates, where coverage is exact.
+/// Ellipses of one direction are disks in scaled coordinates, where coverage can be tested exactly.
 TEST(PoissonExactEllipses, OfOneDirectionCoverExactly) {
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
         PoissonDiskProblem problem = problem_of(Mode::anisotropic, pierced_domain(), size, seed);
@@ -221,8 +222,8 @@ TEST(PoissonExactEllipses, OfOneDirectionCoverExactly) {
     }
 }
 
-/// The tests themselves see a sample that is missing, and one that is out of its place.
-TEST(PoissonExactItself, SeesOneSampleLessAndOneMoved) {
+/// The tests detect a missing sample and a misplaced one.
+TEST(PoissonExactItself, DetectsAMissingAndAMovedSample) {
     for (const Mode mode : all_modes())
         for (const bool torus : {false, true}) {
             PoissonDiskProblem problem =

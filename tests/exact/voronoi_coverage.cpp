@@ -14,7 +14,7 @@ using Point = Kernel::Point_2;
 using Segment = Kernel::Segment_2;
 using Delaunay = CGAL::Delaunay_triangulation_2<Kernel>;
 
-/// Even-odd over all rings; the border belongs to the domain.
+/// A region with the even-odd rule and exact arithmetic; its border belongs to it.
 class ExactRegion {
   public:
     explicit ExactRegion(const Region& region) {
@@ -48,17 +48,17 @@ class ExactRegion {
     std::vector<std::vector<Point>> rings_;
 };
 
-/// An edge of the Voronoi diagram: from `from` along `direction`, all of it or without end.
+/// An edge of the Voronoi diagram, a segment or a ray from `from` along `direction`.
 struct VoronoiEdge {
     Point from;
     Kernel::Vector_2 direction;
     bool endless = false;
-    CGAL::Bbox_2 box; // of an edge that ends
-    Point site;       // nearest to all of it
+    CGAL::Bbox_2 box; // of a segment
+    Point site;       // one of its nearest sites
 };
 
-/// A border's edge, as far as a Voronoi edge is concerned: parallel ones meet at places that are
-/// tested anyway.
+/// Visits the crossing of a Voronoi edge with an edge of the border. Parallel edges are ignored:
+/// they meet at places that are tested anyway.
 template <class Visit>
 void visit_crossing(const VoronoiEdge& edge, const Segment& border, const Visit& visit) {
     if (!edge.endless && !CGAL::do_overlap(edge.box, border.bbox()))

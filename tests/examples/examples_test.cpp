@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The examples of docs/architecture.md in use: added to a catalog and tables at run time.
+// Uses the examples of docs/architecture.md: adds them to a catalog and tables at run time.
 #include "core/file.h"
 #include "formats/table.h"
 #include "model/generator.h"
@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene that uses the examples' generator, procedural and material.
+/// A scene with the generator and the procedural of the examples.
 const char* const script = R"(
 local stripes = material.matte { color = procedural.layers { thickness = 0.02 } }
 return scene { objects = {
@@ -41,7 +41,7 @@ std::string temporary_file(const std::string& ending) {
     return (fs::path(testing::TempDir()) / name).string();
 }
 
-/// What `use` makes of the session and its scene.
+/// Returns what `use` returns for a session with the examples and its scene.
 template <typename Use>
 auto with_baked(Use use) {
     Catalog catalog = standard_catalog();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer harness of one mesh reader, chosen by SCREE_FUZZ_ENDING when it is compiled.
+// libFuzzer harness of one mesh reader, chosen at compile time by SCREE_FUZZ_ENDING.
 #include "core/error.h"
 #include "formats/read_mesh.h"
 
@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         scree::read_mesh_bytes("x." SCREE_FUZZ_ENDING, {reinterpret_cast<const char*>(data), size});
     } catch (const scree::Error&) {
-        return 0; // refused: as it should be
+        return 0; // rejected with an Error, as required
     }
     return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small valid mesh files, damaged in thousands of ways that are the same on every run: each must
-// either read or be refused with an Error, in bounded time.
+// Deterministic mutations of small valid mesh files: each must either be read or be rejected with
+// an Error, in bounded time.
 #include "tests/fuzz/mesh_seeds.h"
 #include "tests/support/damaged.h"
 
@@ -17,7 +17,7 @@
 namespace scree {
 namespace {
 
-// Numbers out of all proportion, and what begins something in one of the formats.
+// Extreme numbers, and keywords of the formats.
 const std::vector<std::string> pieces{"nan",
                                       "-1",
                                       "1e999",
@@ -65,7 +65,7 @@ TEST(MeshMutation, EveryDamagedFileReadsOrIsRefused) {
     }
 }
 
-// Every possible end of the file.
+// Truncation at every position.
 TEST(MeshMutation, EveryTruncationReadsOrIsRefused) {
     for (const MeshSeed& seed : mesh_seeds())
         for (std::size_t size = 0; size < seed.bytes.size(); ++size) {

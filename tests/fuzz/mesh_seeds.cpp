@@ -2,26 +2,13 @@
 #include "tests/fuzz/mesh_seeds.h"
 
 #include "formats/read_mesh.h"
-
-#include <algorithm>
-#include <array>
-#include <cstring>
+#include "tests/support/mesh_bytes.h"
 
 namespace scree {
 
 namespace {
 
-constexpr float points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-constexpr int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-
-template <class T>
-void put(std::string& out, T value, bool big = false) {
-    std::array<char, sizeof(T)> raw{};
-    std::memcpy(raw.data(), &value, sizeof(T));
-    if (big)
-        std::reverse(raw.begin(), raw.end());
-    out.append(raw.data(), raw.size());
-}
+using namespace tests;
 
 std::string obj() {
     return "mtllib a.mtl\no corner\nv 0 0 0\nv 1 0 0 1\nv 0 1 0\nv 0 0 1\nvn 0 0 1\nvt 0.5 1\n"
@@ -40,54 +27,18 @@ std::string ply_binary(bool big) {
                       "_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
                       "property double z\nproperty list ushort short tags\nelement face 4\n"
                       "property list uint8 int32 vertex_index\nend_header\n";
-    for (const auto& p : points) {
+    for (const auto& p : corner_points) {
         put(out, p[0], big);
         put(out, p[1], big);
         put(out, double(p[2]), big);
         put(out, std::uint16_t{1}, big);
         put(out, std::int16_t{-5}, big);
     }
-    for (const auto& f : faces) {
+    for (const auto& f : corner_faces) {
         put(out, std::uint8_t{3});
         for (const int i : f)
             put(out, std::int32_t{i}, big);
     }
-    return out;
-}
-
-std::string stl_ascii() {
-    std::string out = "solid corner\n";
-    for (const auto& f : faces) {
-        out += " facet normal 0 0 0\n  outer loop\n";
-        for (const int i : f)
-            out += "   vertex " + std::to_string(points[i][0]) + " " +
-                   std::to_string(points[i][1]) + " " + std::to_string(points[i][2]) + "\n";
-        out += "  endloop\n endfacet\n";
-    }
-    return out + "endsolid corner\n";
-}
-
-std::string stl_binary() {
-    std::string out(80, ' ');
-    put(out, std::uint32_t{4});
-    for (const auto& f : faces) {
-        out.append(12, '\0');
-        for (const int i : f)
-            for (const float x : points[i])
-                put(out, x);
-        put(out, std::uint16_t{0});
-    }
-    return out;
-}
-
-std::string gltf_buffer() {
-    std::string out;
-    for (const auto& p : points)
-        for (const float x : p)
-            put(out, x);
-    for (const auto& f : faces)
-        for (const int i : f)
-            put(out, static_cast<std::uint16_t>(i));
     return out;
 }
 
@@ -107,7 +58,7 @@ std::string base64(const std::string& bytes) {
     constexpr const char* digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
-    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) { // whole triples only
+    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) { // complete groups of three bytes only
         std::uint32_t triple = 0;
         for (std::size_t k = 0; k < 3; ++k)
             triple = triple << 8 | static_cast<unsigned char>(bytes[i + k]);
@@ -120,43 +71,6 @@ std::string base64(const std::string& bytes) {
 std::string gltf() {
     return gltf_json(R"("uri":"data:application/octet-stream;base64,)" + base64(gltf_buffer()) +
                      R"(",)");
-}
-
-std::string glb() {
-    std::string json = gltf_json("");
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    const std::string buffer = gltf_buffer();
-    std::string out = "glTF";
-    put(out, std::uint32_t{2});
-    put(out, static_cast<std::uint32_t>(28 + json.size() + buffer.size()));
-    put(out, static_cast<std::uint32_t>(json.size()));
-    out += "JSON" + json;
-    put(out, static_cast<std::uint32_t>(buffer.size()));
-    return out + std::string("BIN\0", 4) + buffer;
-}
-
-std::string chunk(std::uint16_t kind, const std::string& body) {
-    std::string out;
-    put(out, kind);
-    put(out, static_cast<std::uint32_t>(body.size() + 6));
-    return out + body;
-}
-
-std::string three_ds() {
-    std::string vertices;
-    put(vertices, std::uint16_t{4});
-    for (const auto& p : points)
-        for (const float x : p)
-            put(vertices, x);
-    std::string triangles;
-    put(triangles, std::uint16_t{4});
-    for (const auto& f : faces) {
-        for (const int i : f)
-            put(triangles, static_cast<std::uint16_t>(i));
-        put(triangles, std::uint16_t{0});
-    }
-    const std::string mesh = chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, triangles));
-    return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("corner\0", 7) + mesh)));
 }
 
 MeshSeed seed(const std::string& name, const std::string& ending, std::string bytes) {
@@ -174,7 +88,7 @@ std::vector<MeshSeed> mesh_seeds() {
             seed("stl_ascii", "stl", stl_ascii()),
             seed("stl_binary", "stl", stl_binary()),
             seed("gltf", "gltf", gltf()),
-            seed("glb", "glb", glb()),
+            seed("glb", "glb", glb_of(gltf_json(""))),
             seed("3ds", "3ds", three_ds())};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small valid file of every kind that mesh.file reads, and its reader.
+// A small valid file of every format that mesh.file reads, with its reader.
 #pragma once
 
 #include "geometry/mesh/mesh.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small valid drawings, damaged in thousands of ways that are the same on every run: each must
-// either give a region of finite numbers or be refused with an Error, in bounded time.
+// Deterministic mutations of small valid drawings: each must either give a region with finite
+// coordinates or be rejected with an Error, in bounded time.
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
@@ -111,7 +111,7 @@ TEST(SvgMutation, EveryTruncationReadsOrIsRefused) {
         }
 }
 
-// A million nested groups, which the reader must not follow on its own stack.
+// A million nested groups, which must not cause recursion.
 TEST(SvgMutation, DeepNestingIsRefused) {
     std::string deep = "<svg>";
     for (int i = 0; i < 1'000'000; ++i)

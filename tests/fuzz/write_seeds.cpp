@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the seed files into the folder given, as a first corpus for the fuzzers.
+// Writes the seed files to a given folder, as the initial corpus of the fuzzers.
 #include "tests/fuzz/mesh_seeds.h"
 
 #include "core/file.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small pictures against references of many samples. The comparison knows both variances, so it
-// finds a bias that the eye would miss and lets noise pass: blocks of pixels are z-tested with
-// Sidak's correction for their number. A failed picture is left beside the build to look at.
-// To make references anew after a wanted change: SCREE_MAKE_GOLDEN=1 ./golden_tests
+// Compares small pictures with references of many samples. Blocks of pixels are z-tested with both
+// variances and Sidak's correction for their number, so that noise passes and even an invisible
+// bias fails. The picture of a failed test is kept in the build folder. To update the references
+// after an intended change: SCREE_MAKE_GOLDEN=1 ./golden_tests
 #include "core/file.h"
 #include "core/image.h"
 #include "render/film/color.h"
@@ -17,7 +17,7 @@ namespace scree {
 namespace {
 
 constexpr int reference_samples = 2048;
-constexpr int block = 8;              // pixels; a mean of 64 pixels is close to normal
+constexpr int block = 8;              // pixels; means of 64 pixels are almost normal
 constexpr double significance = 1e-3; // of one picture
 
 std::vector<ImagePart> render_parts(const std::string& script, int samples, std::uint64_t seed) {
@@ -78,7 +78,7 @@ double worst_z(const std::vector<ImagePart>& a, const std::vector<ImagePart>& b)
             for (int c = 0; c < 3; ++c) {
                 const BlockMeans x = block_of(a, bx, by, c);
                 const BlockMeans y = block_of(b, bx, by, c);
-                // 2^-11 of the value: what the reference's 16-bit floats cannot hold.
+                // The rounding error of the reference's 16-bit floats: 2^-11 of the value.
                 const double rounding = x.mean * 0x1p-11;
                 const double sigma = std::sqrt(x.variance + y.variance + rounding * rounding);
                 worst = std::max(worst, std::abs(x.mean - y.mean) / std::max(sigma, 1e-6));
@@ -108,14 +108,16 @@ TEST_P(Golden, PictureIsThatOfTheReference) {
         write_exr(std::string(GetParam()) + "_failed.exr", actual, {});
         write_png(std::string(GetParam()) + "_failed.png", to_display(actual[0].image));
     }
-    // The test has teeth: a picture 2% brighter does not pass.
+    // The test is sensitive: a picture that is 2% brighter fails.
     std::vector<ImagePart> brighter = actual;
     for (float& value : brighter[0].image.pixels)
         value *= 1.02F;
     EXPECT_GT(worst_z(expected, brighter), critical_z(tests));
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::Values("materials", "layout"),
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden,
+                         testing::Values("materials", "layout", "pile", "elements", "leather",
+                                         "solid"),
                          [](const auto& which) { return std::string(which.param); });
 
 } // namespace

@@ -8,7 +8,8 @@
 
 namespace scree {
 
-/// One to eight small damages: bits, bytes, cuts, repeats, and `pieces` put in or over something.
+/// Applies one to eight random mutations: flipped bits, changed bytes, truncations, deletions,
+/// repetitions, and insertion or overwriting with one of `pieces`.
 inline std::string damaged(std::string bytes, const std::vector<std::string>& pieces,
                            Random& random) {
     const std::uint32_t steps = 1 + random.below(8);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tests of the Poisson-disk sampler fill: the four modes of Kita & Miyata 2012, figure 2.
+// Problems for the tests of the Poisson-disk sampler: the four modes of Kita & Miyata 2012,
+// figure 2.
 #pragma once
 
 #include "geometry/plane/region_shapes.h"
@@ -20,7 +21,7 @@ inline std::shared_ptr<const Region> square_domain(double side) {
     return shared_region({rectangle_ring(side, side)});
 }
 
-/// An L of 1 m with a round hole, off the origin: concave corners and slanted edges.
+/// An L-shaped domain of 1 m with a round hole, rotated and away from the origin.
 inline std::shared_ptr<const Region> pierced_domain() {
     Ring corner = l_ring(1, 0.6);
     Ring hole = circle_ring(0.12, 20);
@@ -43,7 +44,7 @@ inline std::string name_of(Mode mode) {
     return names[static_cast<int>(mode)];
 }
 
-/// Axes of the classes, about `size` [m].
+/// Classes with axes of about `size` [m].
 inline std::vector<DiskClass> classes_of(Mode mode, double size) {
     switch (mode) {
     case Mode::isotropic:
@@ -59,7 +60,7 @@ inline std::vector<DiskClass> classes_of(Mode mode, double size) {
 
 inline bool is_round(Mode mode) { return mode == Mode::isotropic || mode == Mode::multi_class; }
 
-/// Ellipses turn about the middle of the domain.
+/// Ellipses are oriented by a whirl about the centre of the domain.
 inline PoissonDiskProblem problem_of(Mode mode, std::shared_ptr<const Region> domain, double size,
                                      std::uint64_t seed) {
     PoissonDiskProblem problem;

@@ -6,7 +6,7 @@
 
 namespace scree::tests {
 
-/// Files can grow to `bytes` while it lives: writes fail in the middle just as on a full disk.
+/// Limits the size of files to `bytes` during its lifetime, so that writes fail as on a full disk.
 class DiskRoom {
   public:
     explicit DiskRoom(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Aggregates to fabricate: components at chosen places.
+// Aggregates for tests of fabrication.
 #pragma once
 
 #include "model/aggregate.h"
@@ -29,7 +29,7 @@ inline Instance instance(std::uint32_t prototype, const Matrix& matrix) {
     return out;
 }
 
-/// A ball of 10 mm; its component stands on the ground, so its middle is at (0, 10 mm, 0).
+/// A ball with a radius of 10 mm that stands on the ground: its centre is (0, 10 mm, 0).
 inline Prototype ball() {
     return component("sphere", {{"radius", 0.01}, {"segments", std::int64_t{96}}});
 }
@@ -42,8 +42,8 @@ inline Aggregate aggregate_of(std::vector<Prototype> prototypes, std::vector<Ins
     return out;
 }
 
-/// Six walls, 2 mm thick, round a closed room of 16 mm; with a ball in its middle that touches
-/// none.
+/// Six walls, 2 mm thick, around a closed room of 16 mm, with a ball in its middle that touches
+/// none of them.
 inline Aggregate closed_room() {
     const Prototype wall = component("box", {{"width", 0.02}, {"height", 0.002}, {"depth", 0.02}});
     const Prototype ball = component("sphere", {{"radius", 0.004}, {"segments", std::int64_t{48}}});

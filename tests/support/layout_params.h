@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters as the scene reader would hand them over, for tests of plug-ins.
+// Parameters of generator.layout as the scene reader makes them, for tests.
 #pragma once
 
 #include "generators/layout/layout_generator.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures and folders of the tests of pictures.
+// Helpers for tests of pictures.
 #pragma once
 
 #include "core/error.h"
@@ -14,7 +14,7 @@
 
 namespace scree::test {
 
-/// A folder of its own that goes with it.
+/// A temporary folder, which is removed by the destructor.
 class Folder {
   public:
     Folder()
@@ -36,9 +36,9 @@ class Folder {
     std::filesystem::path path_;
 };
 
-using Look = std::function<std::array<float, 4>(double x, double y)>; // linear, not multiplied
+using Look = std::function<std::array<float, 4>(double x, double y)>; // linear, not premultiplied
 
-/// The look at the middles of pixels, as a picture holds it.
+/// The look sampled at pixel centres, premultiplied.
 inline Image picture_of(int width, int height, const Look& look) {
     Image image(width, height, {"R", "G", "B", "A"});
     for (int y = 0; y < height; ++y)

@@ -4,11 +4,11 @@
 
 #include "core/parallel.h"
 #include "generators/pile/pile_generator.h"
-#include "geometry/bodies/pile_kind.h"
+#include "generators/pile/pile_kind.h"
+#include "tests/support/aggregates.h"
+#include "tests/support/component_checks.h"
 #include "tests/support/layout_params.h"
-#include "tests/support/plugin_params.h"
 
-#include "shapes/table.h"
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -16,27 +16,22 @@
 
 namespace scree::tests {
 
-inline Mesh component_mesh(const std::string& name, const std::map<std::string, Value>& values) {
-    return make(component_table(), name, values);
+inline std::shared_ptr<const Body> body_of(Mesh mesh, double thickness = 0) {
+    return make_body(std::make_shared<const Mesh>(std::move(mesh)), thickness);
 }
 
-inline PileComponent prepared(Mesh mesh, double thickness = 0) {
-    Prototype prototype;
-    prototype.shape = std::make_shared<const Mesh>(std::move(mesh));
-    return prepare_component(std::move(prototype), thickness);
-}
-
-/// Turned anyhow.
+/// A component with random rotations about all axes.
 inline PileKind kind_of(const Mesh& mesh, double spacing, double refine) {
-    return {.component = prepared(mesh),
-            .weight = 1,
+    const std::shared_ptr<const Body> body = body_of(mesh);
+    return {.body = body,
+            .unit_radius = unit_radius_of(*body),
             .spacing = spacing,
             .refine = refine,
             .rotation = Vec3(2 * pi_f)};
 }
 
-/// Distance from p to a triangle, by Lagrange: the least of the plane's foot, where it is inside,
-/// and of the sides.
+/// Distance from p to a triangle: the minimum over its sides and, if the projection of p lies
+/// inside, the distance to its plane.
 inline double triangle_distance(const Imath::V3d& p, const std::array<Imath::V3d, 3>& v) {
     double least = std::numeric_limits<double>::max();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -55,8 +50,8 @@ inline double triangle_distance(const Imath::V3d& p, const std::array<Imath::V3d
     return std::min(least, std::abs((p - v[0]).dot(normal)) / normal.length());
 }
 
-/// Signed distance to a closed mesh, negative inside: all triangles, and the solid angle that they
-/// fill seen from p (van Oosterom & Strackee 1983).
+/// Signed distance to a closed mesh, negative inside, by brute force over all triangles; the sign
+/// is that of their solid angle at p (van Oosterom & Strackee 1983).
 inline double signed_distance(const Mesh& mesh, const Imath::V3d& p) {
     double least = std::numeric_limits<double>::max();
     double angle = 0;
@@ -73,6 +68,26 @@ inline double signed_distance(const Mesh& mesh, const Imath::V3d& p) {
     return std::abs(angle) > 2 * pi ? -least : least;
 }
 
+/// How deep any vertex of an instance is in another instance [m], for a pile of one closed mesh.
+inline double deepest_vertex(const Aggregate& pile, const Mesh& mesh) {
+    const Box3 box = bounds(mesh);
+    double deepest = 0;
+    for (const Instance& a : pile.instances)
+        for (const Instance& b : pile.instances) {
+            if (&a == &b)
+                continue;
+            const Imath::M44d there =
+                Imath::M44d(a.world_from_object) * Imath::M44d(b.world_from_object).inverse();
+            for (const Vec3& vertex : mesh.positions) {
+                const Imath::V3d p = Imath::V3d(vertex) * there;
+                if (box.intersects(Vec3(p)))
+                    deepest = std::max(deepest, -signed_distance(mesh, p));
+            }
+        }
+    return deepest;
+}
+
+/// The parameters of a component at their defaults.
 inline Params pile_component(const Mesh& mesh) {
     for (const ParamSpec& spec : pile_plugin().params)
         if (spec.name == "components") {
@@ -83,7 +98,7 @@ inline Params pile_component(const Mesh& mesh) {
     return {};
 }
 
-/// One pass.
+/// Parameters of a pile with a single pass.
 inline Params pile_params(const Mesh& target, std::vector<Params> components) {
     Params params = defaults(pile_plugin().params, "generator.pile");
     params.set("target", std::make_shared<const Mesh>(target), {"scene.lua", 9});
@@ -93,14 +108,7 @@ inline Params pile_params(const Mesh& target, std::vector<Params> components) {
     return params;
 }
 
-inline double fact(const Aggregate& aggregate, const std::string& name) {
-    for (const auto& [key, value] : aggregate.facts)
-        if (key == name)
-            return value;
-    throw std::logic_error("there is no fact " + name);
-}
-
-/// Expects instances of the same bytes from all that `bake()` makes on 1, 2 and 7 threads.
+/// Expects that `bake()` gives bit-identical instances on 1, 2 and 7 threads.
 template <class Bake>
 void expect_same_on_any_threads(const Bake& bake) {
     std::vector<Aggregate> piles;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plug-in called as the scene reader would call it, for tests.
+// Calls plug-ins as the scene reader does, for tests.
 #pragma once
 
 #include "core/registry.h"
 
 namespace scree::tests {
 
-/// All defaults of the specs, as if they stood in line 7 of scene.lua.
+/// The defaults of all specs, located at line 7 of scene.lua.
 inline Params defaults(const std::vector<ParamSpec>& specs, std::string path) {
     const Location where{"scene.lua", 7};
     Params params(std::move(path), where);
@@ -15,8 +15,8 @@ inline Params defaults(const std::vector<ParamSpec>& specs, std::string path) {
     return params;
 }
 
-/// Makes what `name` of the table makes from these values and the defaults of the others, as if
-/// they stood in line 7 of scene.lua.
+/// Makes the object of the plug-in `name` from the given values and defaults, located at line 7 of
+/// scene.lua.
 template <class Make>
 auto make(const Registry<Make>& table, const std::string& name,
           const std::map<std::string, Value>& values) {

@@ -42,7 +42,7 @@ inline Mesh make_sphere(float radius, int rows, bool smooth = true) {
     return mesh;
 }
 
-/// A square on y = 0 that faces up.
+/// A square in the plane y = 0 that faces up.
 inline Mesh make_plane(float size) {
     const float h = size / 2;
     Mesh mesh;
@@ -75,7 +75,7 @@ inline MaterialSet material_set(const std::vector<Material>& materials) {
     return MaterialSet(shared);
 }
 
-/// Objects and lights with their world, made step by step.
+/// A scene that tests build step by step and render.
 struct Stage {
     std::vector<Aggregate> aggregates;
     std::vector<Light> lights;
@@ -107,8 +107,8 @@ inline Sky even_sky(float v) {
     return sky;
 }
 
-/// Two-sided quantile of the standard normal distribution for the chance `alpha` that any of
-/// `count` independent values lies outside by luck (Sidak 1967), by bisection of erfc.
+/// Two-sided quantile of the standard normal distribution that any of `count` independent values
+/// exceeds with probability `alpha` (Sidak 1967), by bisection of erfc.
 inline double sidak_quantile(double alpha, double count) {
     const double each = -std::expm1(std::log1p(-alpha) / count);
     double low = 0;
@@ -120,15 +120,16 @@ inline double sidak_quantile(double alpha, double count) {
     return high;
 }
 
-/// Upper quantile of chi-square by Wilson & Hilferty (1931); fine for 10 degrees and more.
+/// Upper quantile of the chi-square distribution by Wilson & Hilferty (1931); accurate for 10 and
+/// more degrees of freedom.
 inline double chi_square_quantile(double degrees, double alpha) {
     const double z = sidak_quantile(2 * alpha, 1);
     const double a = 2 / (9 * degrees);
     return degrees * std::pow(1 - a + z * std::sqrt(a), 3);
 }
 
-/// Pearson's test of counts against expectations; cells that expect fewer than 5 are pooled.
-/// Answers "" or what is wrong.
+/// Pearson's chi-square test of counts; cells with an expectation below 5 are pooled. Returns a
+/// message, empty when the test passes.
 inline std::string chi_square(const std::vector<double>& observed,
                               const std::vector<double>& expected, double alpha) {
     double pooled_observed = 0;

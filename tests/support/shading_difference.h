@@ -8,7 +8,7 @@
 
 namespace scree::tests {
 
-/// The largest difference of colour, value and roughness, and of slopes against their own size.
+/// The largest difference in colour, value and roughness, and the relative one in slope.
 inline double difference(const ShadingSample& a, const ShadingSample& b) {
     double d = std::abs(double(a.value) - double(b.value));
     for (int k = 0; k < 3; ++k) {

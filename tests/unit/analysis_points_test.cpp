@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pair correlation and power spectra of points whose answers are known.
+// Pair correlation and power spectra of point sets with known results.
 #include "analysis/nonuniform_fft.h"
 #include "analysis/pair_correlation.h"
 #include "analysis/plot.h"
@@ -69,8 +69,8 @@ TEST(PairCorrelation, IsOneForPoissonPointsOnAnyWindow) {
         const double density = double(n) / area(*window.domain);
         for (std::size_t k = 0; k < g.value.size(); ++k) {
             const double ring = pi * (2 * double(k) + 1) * g.bin_width * g.bin_width;
-            const double pairs = 0.5 * double(n) * density * ring * 0.75; // 0.75: near edges fewer
-            EXPECT_NEAR(g.value[k], 1, 5 / std::sqrt(pairs) + 1e-3) << k; // 1e-3: directions, knots
+            const double pairs = 0.5 * double(n) * density * ring * 0.75; // 0.75: fewer near edges
+            EXPECT_NEAR(g.value[k], 1, 5 / std::sqrt(pairs) + 1e-3) << k; // 1e-3: numerical error
         }
     }
 }
@@ -172,7 +172,7 @@ TEST(PowerSpectrum, OfKindsIsThatOfTheirPointsAlone) {
         EXPECT_NEAR(random.power[k], 1, 5.5 / std::sqrt(double(random.count[k]))) << k;
 }
 
-TEST(PowerSpectrum, TheWindowItselfDoesNotShow) {
+TEST(PowerSpectrum, TheWindowIsCorrectedFor) {
     // Without the correction a disk-shaped window of 5000 points has a power of hundreds at the
     // lowest frequencies.
     const Window window = round_window(1);
@@ -212,7 +212,7 @@ TEST(Canvas, CoversExactAreas) {
     std::reverse(rings[1].begin(), rings[1].end());
     canvas.fill(rings, Color(1, 1, 1));
     EXPECT_NEAR(light(), signed_area(holed[0]) - signed_area(holed[1]), 1e-3);
-    // Half out of the picture, and clipped.
+    // Half outside the picture, and clipped.
     canvas = Canvas(20, 20, Color(0, 0, 0));
     const std::vector<Ring> large{{{-10, -5}, {30, -5}, {30, 5.5}, {-10, 5.5}}};
     canvas.clip({{5, 0}, {9, 20}});
@@ -220,7 +220,7 @@ TEST(Canvas, CoversExactAreas) {
     EXPECT_NEAR(light(), 4 * 5.5, 1e-4);
 }
 
-TEST(Canvas, TextIsThereAndTurns) {
+TEST(Canvas, TextIsDrawnAndRotated) {
     Canvas canvas(80, 80, Color(1, 1, 1));
     canvas.text({40, 40}, "Scree", 20, Color(0, 0, 0), Align::centre);
     double dark = 0;

@@ -35,7 +35,7 @@ PlacedRegions placed(Region domain, bool torus, std::vector<Region> outlines) {
     return regions;
 }
 
-// Crosses of twelve edges at random places, some out of the domain; they may overlap.
+// Crosses of twelve edges at random places, some outside the domain; they may overlap.
 PlacedRegions random_crosses(std::size_t count, bool torus, std::uint64_t seed) {
     Random random(seed, Purpose::test);
     std::vector<Region> outlines;
@@ -53,7 +53,7 @@ PlacedRegions random_crosses(std::size_t count, bool torus, std::uint64_t seed) 
     return placed(box_region({0, 0}, {2, 1}), torus, std::move(outlines));
 }
 
-// Without an index: the nearest of all edges of all images.
+// Brute force: the distance to the nearest of all edges of all images.
 double brute_distance(const PlacedRegions& regions, const Vec2& point) {
     double best = std::numeric_limits<double>::infinity();
     const int turns = regions.window.torus ? 2 : 0;
@@ -121,10 +121,10 @@ TEST(RegionDistance, ToNeighbour) {
     const RegionDistance on_torus(wrapped);
     EXPECT_DOUBLE_EQ(on_torus.to_neighbour(2), 1.5); // to the first, over the border
     const PlacedRegions lone = placed(domain, true, {outlines[0]});
-    EXPECT_DOUBLE_EQ(RegionDistance(lone).to_neighbour(0), 9); // its own image
+    EXPECT_DOUBLE_EQ(RegionDistance(lone).to_neighbour(0), 9); // to its own image
     const PlacedRegions alone = placed(domain, false, {outlines[0]});
     EXPECT_TRUE(std::isinf(RegionDistance(alone).to_neighbour(0)));
-    // A vertex of the second is near a third, yet the first's nearest is the second.
+    // A vertex of the second is near the third, but the nearest to the first is the second.
     const PlacedRegions three = placed(
         domain, false,
         {box_region({0, 0}, {1, 1}), box_region({1.4, 0}, {2, 1}), box_region({2.1, 0}, {3, 1})});
@@ -136,7 +136,7 @@ TEST(LargestEmptyCircle, KnownOnes) {
     const PlacedRegions empty = placed(box_region({0, 0}, {2, 1}), false, {});
     const Circle whole = largest_empty_circle(empty, RegionDistance(empty));
     EXPECT_NEAR(whole.radius, 0.5, 1e-4);
-    // Four disks in the corners of a torus are one disk: the circle is in the middle.
+    // A disk at the corner of a torus: the largest empty circle is in the middle.
     const PlacedRegions corner = placed(box_region({0, 0}, {1, 1}), true, {disk({0, 0}, 0.3)});
     const Circle middle = largest_empty_circle(corner, RegionDistance(corner));
     EXPECT_NEAR(middle.radius, std::sqrt(0.5) - 0.3, 1e-4);
@@ -201,7 +201,7 @@ TEST(Analysis, AHundredThousandRegionsTakeSeconds) {
     RecordProperty("seconds", std::to_string(seconds.count()));
     EXPECT_GT(circle.radius, 0);
     EXPECT_EQ(neighbours.size(), 100000U);
-    EXPECT_LT(seconds.count(), 120); // some seconds on two cores; without an index, hours
+    EXPECT_LT(seconds.count(), 120); // takes some seconds with an index, hours without
 }
 
 } // namespace

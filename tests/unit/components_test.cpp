@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/plane/region_shapes.h"
 #include "geometry/plane/region_tools.h"
-#include "shapes/table.h"
-#include "tests/support/plugin_params.h"
+#include "tests/support/component_checks.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cctype>
 #include <cstring>
 #include <map>
@@ -14,65 +10,19 @@
 namespace scree {
 namespace {
 
-Mesh make(const std::string& name, const std::vector<std::pair<std::string, Value>>& values = {}) {
-    const auto table = component_table();
-    const Plugin<MakeMesh>& plugin = *table.find(name);
-    Params params = tests::defaults(plugin.params, "mesh." + plugin.name);
-    for (const auto& [key, value] : values)
-        params.set(key, value);
-    return plugin.make(params);
-}
-
-void expect_sound(const Mesh& mesh, const std::string& what) {
-    SCOPED_TRACE(what);
-    ASSERT_FALSE(mesh.triangles.empty());
-    const MeshFacts facts = inspect(mesh);
-    EXPECT_TRUE(facts.finite);
-    EXPECT_EQ(facts.degenerate_triangles, 0U);
-    EXPECT_EQ(facts.non_manifold_edges, 0U);
-    if (mesh.name != "plane") {
-        EXPECT_EQ(facts.boundary_edges, 0U);
-        EXPECT_GT(volume(mesh), 0);
-    }
-    ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
-    ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
-    float worst = 0;
-    for (const Vec3& n : mesh.normals)
-        worst = std::max(worst, std::isfinite(n.length()) ? std::abs(n.length() - 1) : 1e9F);
-    EXPECT_LT(worst, 1e-4F);
-    for (const Vec2f& uv : mesh.uvs)
-        ASSERT_TRUE(std::isfinite(uv.x) && std::isfinite(uv.y));
-    const Box3 box = bounds(mesh);
-    const float tolerance = 1e-5F * box.size().length();
-    EXPECT_EQ(box.min.y, 0.0F);
-    EXPECT_NEAR(box.center().x, 0.0F, tolerance);
-    EXPECT_NEAR(box.center().z, 0.0F, tolerance);
-}
-
-// The area of the triangles whose shading normals lean more than 60 degrees from their plane.
-double area_of_wrong_normals(const Mesh& mesh) {
-    double sum = 0;
-    for (const Mesh::Triangle& t : mesh.triangles) {
-        const Vec3& a = mesh.positions[t[0]];
-        const Vec3 face = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
-        for (const std::uint32_t i : t)
-            if (face.normalized().dot(mesh.normals[i]) < 0.5F) {
-                sum += 0.5 * double(face.length());
-                break;
-            }
-    }
-    return sum;
-}
+using tests::area_of_wrong_normals;
+using tests::component_mesh;
+using tests::expect_sound;
 
 TEST(Components, SheetsOfAnyOutlineBendAndStayClosed) {
     const auto outline = std::make_shared<const Region>(
         triangulate({star_ring(0.1, 0.3, 7), circle_ring(0.02, 16), circle_ring(0.01, 9)}));
     for (const double bend : {0.0, 1.0, -2.5}) {
-        const Mesh mesh = make("sheet", {{"outline", outline},
-                                         {"curl", bend},
-                                         {"cup", 0.5 * bend},
-                                         {"twist", 0.3 * bend},
-                                         {"thickness", 0.001}});
+        const Mesh mesh = component_mesh("sheet", {{"outline", outline},
+                                                   {"curl", bend},
+                                                   {"cup", 0.5 * bend},
+                                                   {"twist", 0.3 * bend},
+                                                   {"thickness", 0.001}});
         expect_sound(mesh, "sheet");
         EXPECT_NEAR(volume(mesh), 0.001 * area(*outline),
                     bend == 0 ? 1e-9 : 0.001 * area(*outline));
@@ -88,18 +38,18 @@ TEST(Components, SheetsOfAnyOutlineBendAndStayClosed) {
 }
 
 TEST(Components, ExtrudeKeepsAreaAndStandsUp) {
-    // An L: its leg reaches to the far side (-z) on the left.
+    // An L whose leg extends to the far side (-z) on the left.
     const auto outline = std::make_shared<const Region>(
         triangulate({{{0, 0}, {0.03, 0}, {0.03, 0.01}, {0.01, 0.01}, {0.01, 0.04}, {0, 0.04}}}));
     for (const bool upright : {false, true}) {
-        const Mesh mesh =
-            make("extrude", {{"outline", outline}, {"height", 0.005}, {"upright", upright}});
+        const Mesh mesh = component_mesh(
+            "extrude", {{"outline", outline}, {"height", 0.005}, {"upright", upright}});
         expect_sound(mesh, "extrude");
         EXPECT_NEAR(volume(mesh), 0.0006 * 0.005, 1e-12);
         const Vec3 size = bounds(mesh).size();
         EXPECT_NEAR(upright ? size.y : size.z, 0.04F, 1e-7F);
         EXPECT_NEAR(upright ? size.z : size.y, 0.005F, 1e-7F);
-        // The narrow end is at the near side (+z), or down.
+        // The narrow end is on the near side (+z), or at the bottom.
         float narrow = -1;
         for (const Vec3& p : mesh.positions)
             if (upright ? p.y < 0.001F : p.z > 0.019F)
@@ -108,8 +58,9 @@ TEST(Components, ExtrudeKeepsAreaAndStandsUp) {
     }
     const auto star = std::make_shared<const Region>(triangulate(
         {{{0.02, 0}, {0.005, 0.005}, {0, 0.02}, {-0.005, 0.005}, {-0.02, 0}, {0, -0.01}}}));
-    expect_sound(make("extrude", {{"outline", star}, {"height", 0.01}, {"rounding", 0.004}}),
-                 "rounded");
+    expect_sound(
+        component_mesh("extrude", {{"outline", star}, {"height", 0.01}, {"rounding", 0.004}}),
+        "rounded");
 }
 
 TEST(Components, AreSoundAtTheirDefaults) {
@@ -124,8 +75,8 @@ TEST(Components, AreSoundAtTheirDefaults) {
     }
 }
 
-// One parameter after the other at its least and its greatest value. Combinations that contradict
-// each other must say so.
+// Each parameter in turn at its minimum and its maximum. Contradictory combinations must be
+// reported.
 TEST(Components, AreSoundAtExtremes) {
     const auto table = component_table();
     int made = 0;
@@ -178,7 +129,7 @@ TEST(Components, SizesScaleTheWholeShape) {
                                                           {"block", "size"},
                                                           {"pin", "height"}})
         for (const double value : {1e-4, 100.0})
-            expect_sound(make(name, {{size, value}}), name + " " + std::to_string(value));
+            expect_sound(component_mesh(name, {{size, value}}), name + " " + std::to_string(value));
 }
 
 TEST(Components, TheSameParametersGiveTheSameBytes) {
@@ -199,7 +150,7 @@ TEST(Components, TheSameParametersGiveTheSameBytes) {
 }
 
 TEST(Components, PlaneFacesUpAndHasItsSize) {
-    const Mesh mesh = make("plane", {{"size", 6.0}});
+    const Mesh mesh = component_mesh("plane", {{"size", 6.0}});
     EXPECT_EQ(bounds(mesh).size(), Vec3(6, 0, 6));
     EXPECT_NEAR(area(mesh), 36, 1e-4);
     for (const Vec3& n : mesh.normals)
@@ -211,8 +162,8 @@ TEST(Components, PlaneFacesUpAndHasItsSize) {
 }
 
 TEST(Components, BoxVolumes) {
-    EXPECT_NEAR(volume(make("box", {{"width", 0.2}, {"rounding", 0.0}})), 0.008, 1e-8);
-    // A rounded box is its inner box, that moved outwards: Steiner's formula.
+    EXPECT_NEAR(volume(component_mesh("box", {{"width", 0.2}, {"rounding", 0.0}})), 0.008, 1e-8);
+    // A rounded box is the Minkowski sum of a box and a ball: Steiner's formula.
     const double r = 0.25 * 0.1;
     const double x = 0.3 - 2 * r;
     const double y = 0.2 - 2 * r;
@@ -220,143 +171,66 @@ TEST(Components, BoxVolumes) {
     const double expected = x * y * z + 2 * r * (x * y + y * z + z * x) + pi * r * r * (x + y + z) +
                             4.0 / 3 * pi * r * r * r;
     const Mesh mesh =
-        make("box", {{"width", 0.3}, {"height", 0.2}, {"depth", 0.1}, {"rounding", 0.5}});
+        component_mesh("box", {{"width", 0.3}, {"height", 0.2}, {"depth", 0.1}, {"rounding", 0.5}});
     EXPECT_NEAR(volume(mesh) / expected, 1, 0.003);
     EXPECT_TRUE(bounds(mesh).size().equalWithAbsError(Vec3(0.3F, 0.2F, 0.1F), 1e-6F));
 }
 
 TEST(Components, RoundVolumes) {
-    EXPECT_NEAR(volume(make("sphere", {{"radius", 0.5}})) / (4.0 / 3 * pi * 0.125), 1, 0.005);
-    EXPECT_NEAR(volume(make("torus", {{"radius", 0.5}, {"tube", 0.2}})) /
+    EXPECT_NEAR(volume(component_mesh("sphere", {{"radius", 0.5}})) / (4.0 / 3 * pi * 0.125), 1,
+                0.005);
+    EXPECT_NEAR(volume(component_mesh("torus", {{"radius", 0.5}, {"tube", 0.2}})) /
                     (2 * pi * pi * 0.5 * 0.04),
                 1, 0.01);
-    EXPECT_NEAR(volume(make("cylinder", {{"radius", 0.5}, {"height", 2.0}, {"rounding", 0.0}})) /
-                    (pi * 0.25 * 2),
-                1, 0.005);
-    EXPECT_NEAR(volume(make("cone", {{"radius", 0.5}, {"height", 2.0}, {"rounding", 0.0}})) /
-                    (pi * 0.25 * 2 / 3),
-                1, 0.005);
-}
-
-std::vector<Vec2> turned(const std::vector<Vec2>& profile) {
-    return {profile.rbegin(), profile.rend()};
-}
-
-// Exact for the polygon that is turned, times the share of a circle that its polygon fills.
-TEST(Components, LatheVolumes) {
-    const int segments = 180;
-    const double share = segments / (2 * pi) * std::sin(2 * pi / segments);
-    const auto volume_of = [&](const std::vector<Vec2>& profile, bool closed, bool spline) {
-        double first = 0;
-        for (const auto& points : {profile, turned(profile)}) { // either way round
-            const Mesh mesh = make("lathe", {{"profile", points},
-                                             {"closed", closed},
-                                             {"spline", spline},
-                                             {"steps", std::int64_t{40}},
-                                             {"segments", std::int64_t{segments}}});
-            expect_sound(mesh, "lathe");
-            EXPECT_LT(area_of_wrong_normals(mesh), 1e-3 * area(mesh));
-            if (first > 0) {
-                EXPECT_NEAR(volume(mesh) / first, 1, 1e-5);
-            }
-            first = volume(mesh);
-        }
-        return first / share;
-    };
-    // A cylinder whose ends are closed by discs, a cone, a tube, and a ring of square section.
-    EXPECT_NEAR(volume_of({{0.5, 0}, {0.5, 2}}, false, false), pi * 0.25 * 2, 1e-5);
-    EXPECT_NEAR(volume_of({{0.5, 0}, {0, 2}, {0, 2}}, false, true), pi * 0.25 * 2 / 3, 1e-5);
-    const std::vector<Vec2> square{{0.3, 0}, {0.5, 0}, {0.5, 0.2}, {0.3, 0.2}};
-    EXPECT_NEAR(volume_of(square, true, false), pi * (0.25 - 0.09) * 0.2, 1e-6);
-    std::vector<Vec2> corners;
-    for (const Vec2& p : square)
-        corners.insert(corners.end(), {p, p});
-    EXPECT_NEAR(volume_of(corners, true, true), pi * (0.25 - 0.09) * 0.2, 1e-6);
-    // Through points of a circle the spline is nearly round: a torus and a ball.
-    std::vector<Vec2> ring;
-    std::vector<Vec2> half;
-    for (int i = 0; i < 24; ++i) {
-        const double angle = 2 * pi * i / 24;
-        ring.emplace_back(0.5 + 0.2 * std::cos(angle), 0.2 * std::sin(angle));
-        if (i <= 12)
-            half.emplace_back(i % 12 == 0 ? 0.0 : std::sin(angle), -std::cos(angle));
-    }
-    EXPECT_NEAR(volume_of(ring, true, true) / (2 * pi * pi * 0.5 * 0.04), 1, 2e-3);
-    EXPECT_NEAR(volume_of(half, false, true) / (4.0 / 3 * pi), 1, 2e-3);
-    EXPECT_NEAR(bounds(make("lathe", {{"profile", half}, {"height", 7.0}})).size().y, 7, 1e-5);
-}
-
-// A repeated point is a sharp edge, any other is smooth, and the axis is met at a right angle.
-TEST(Components, LatheCorners) {
-    const std::vector<Vec2> profile{{0, 0}, {0.4, 0}, {0.4, 0}, {0.5, 0.5}, {0.4, 1}, {0, 1.2}};
-    const Mesh mesh = make("lathe", {{"profile", profile}});
-    std::map<float, std::vector<Vec3>> normals; // of one meridian, by height
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        if (mesh.uvs[i].x == 0)
-            normals[mesh.positions[i].y].push_back(mesh.normals[i]);
-    EXPECT_EQ(normals.begin()->second.size(), 3U); // centre, and both sides of the edge
-    EXPECT_EQ(normals.begin()->second[1].y, -1.0F);
-    EXPECT_GT(normals.begin()->second[2].x, 0.9F);
-    EXPECT_EQ(normals[0.5F].size(), 1U);
-    EXPECT_EQ(normals.rbegin()->second.front().y, 1.0F);
-}
-
-TEST(Components, CutSphereVolumes) {
-    const double ball = 4.0 / 3 * pi;
-    const auto volume_of = [&](double degrees, double floor) {
-        const Mesh mesh = make("cut_sphere", {{"radius", 1.0},
-                                              {"angle", radians(degrees)},
-                                              {"floor", floor},
-                                              {"segments", std::int64_t{256}}});
-        expect_sound(mesh, "cut_sphere");
-        EXPECT_LT(area_of_wrong_normals(mesh), 1e-3 * area(mesh));
-        return volume(mesh);
-    };
-    EXPECT_NEAR(volume_of(90, 0), 7.0 / 8 * ball, 2e-3);
-    EXPECT_NEAR(volume_of(90, -1), 3.0 / 4 * ball, 2e-3);
-    EXPECT_NEAR(volume_of(200, -1), 160.0 / 360 * ball, 2e-3);
-    const double cap = pi * 0.25 * (1 - 0.5 / 3); // of height 0.5
-    EXPECT_NEAR(volume_of(120, 0.5), ball - cap / 3, 2e-3);
+    EXPECT_NEAR(
+        volume(component_mesh("cylinder", {{"radius", 0.5}, {"height", 2.0}, {"rounding", 0.0}})) /
+            (pi * 0.25 * 2),
+        1, 0.005);
+    EXPECT_NEAR(
+        volume(component_mesh("cone", {{"radius", 0.5}, {"height", 2.0}, {"rounding", 0.0}})) /
+            (pi * 0.25 * 2 / 3),
+        1, 0.005);
 }
 
 TEST(Components, TextIsItsLettersInARow) {
-    const Mesh word = make("text", {{"text", std::string("na goya")}, {"bevel", 0.0}});
+    const Mesh word = component_mesh("text", {{"text", std::string("na goya")}, {"bevel", 0.0}});
     double sum = 0;
     for (const char c : std::string("NAGOYA")) {
-        const Vec3 size = bounds(make("letter", {{"letter", std::string(1, c)}})).size();
+        const Vec3 size = bounds(component_mesh("letter", {{"letter", std::string(1, c)}})).size();
         sum += double(size.x);
     }
     const Vec3 size = bounds(word).size();
     EXPECT_NEAR(double(size.x), sum + 0.06 * (5 * 0.13 + 3.0 / 7), 1e-5);
     EXPECT_NEAR(size.y, 0.06F, 1e-6F);
     EXPECT_NEAR(size.z, 1.6F / 7 * 0.06F, 1e-6F);
-    const Mesh lying = make("text", {{"text", std::string("L")}, {"pose", std::string("lying")}});
-    const Mesh letter = make("letter", {{"letter", std::string("L")}});
+    const Mesh lying =
+        component_mesh("text", {{"text", std::string("L")}, {"pose", std::string("lying")}});
+    const Mesh letter = component_mesh("letter", {{"letter", std::string("L")}});
     EXPECT_NEAR(volume(lying), volume(letter), 1e-3 * volume(letter));
     EXPECT_EQ(bounds(lying).size(), bounds(letter).size());
 }
 
 TEST(Components, LongestSideIsTheLength) {
     for (const std::string name : {"banana", "duck"}) {
-        const Vec3 size = bounds(make(name, {{"length", 0.5}})).size();
+        const Vec3 size = bounds(component_mesh(name, {{"length", 0.5}})).size();
         EXPECT_NEAR(std::max({size.x, size.y, size.z}), 0.5F, 1e-5F) << name;
     }
 }
 
 TEST(Components, EveryLetterAndDigit) {
     for (const char c : std::string("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789z.-")) {
-        const Mesh mesh = make("letter", {{"letter", std::string(1, c)}});
+        const Mesh mesh = component_mesh("letter", {{"letter", std::string(1, c)}});
         expect_sound(mesh, std::string(1, c));
-        if (std::isalnum(c) != 0 && c != 'Q') { // whose tail hangs below the line
+        if (std::isalnum(c) != 0 && c != 'Q') { // its tail extends below the baseline
             EXPECT_NEAR(bounds(mesh).size().z, 0.06F, 1e-4F) << c;
         }
     }
 }
 
-// The tail of the J goes to the left as seen from above, the foot of the L to the right.
+// Seen from above, the tail of the J is on the left, the foot of the L on the right.
 TEST(Components, LettersAreReadableFromAbove) {
     const auto low_part_middle = [](const std::string& letter) {
-        const Mesh mesh = make("letter", {{"letter", letter}});
+        const Mesh mesh = component_mesh("letter", {{"letter", letter}});
         const Box3 box = bounds(mesh);
         float sum = 0;
         int count = 0;
@@ -374,7 +248,7 @@ TEST(Components, LettersAreReadableFromAbove) {
 TEST(Components, ContradictionsAreNamed) {
     const auto message = [](const std::string& name, const std::string& key, const Value& value) {
         try {
-            make(name, {{key, value}});
+            component_mesh(name, {{key, value}});
         } catch (const Error& error) {
             return std::string(error.what());
         }
@@ -390,7 +264,7 @@ TEST(Components, ContradictionsAreNamed) {
 
 // The crests of a right-handed thread rise to the right when seen from outside.
 TEST(Components, BoltThreadIsRightHanded) {
-    const Mesh mesh = make("bolt", {{"pose", std::string("standing")}});
+    const Mesh mesh = component_mesh("bolt", {{"pose", std::string("standing")}});
     const float crest = 0.00399F;
     // Among crest vertices near +x (seen along -x, z to the left), y falls as z rises.
     double covariance = 0;
@@ -400,7 +274,7 @@ TEST(Components, BoltThreadIsRightHanded) {
         for (const Vec3& q : mesh.positions) {
             const bool both = std::hypot(p.x, p.z) > crest && std::hypot(q.x, q.z) > crest &&
                               std::abs(p.y - middle) < 0.002F && p.x > 0.003F && q.x > 0.003F;
-            // Neighbours on one helix: closer in height than half of the pitch.
+            // Neighbours on one helix: their heights differ by less than half of the pitch.
             if (both && std::abs(p.y - q.y) < 0.0002F && q.z > p.z)
                 covariance += double(q.y - p.y);
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "core/file.h"
+#include "core/located.h"
 #include "core/parallel.h"
 #include "core/random.h"
 #include "core/registry.h"
@@ -57,9 +58,9 @@ TEST(ErrorText, ListsAllDiagnostics) {
     EXPECT_STREQ(error.what(), "a.lua:1: one\na.lua:2: two");
 }
 
-TEST(NearestName, FindsSlipsAndRefusesStrangers) {
+TEST(NearestName, FindsTyposAndRejectsUnrelatedNames) {
     const std::vector<std::string> names{"radius", "rotation", "scale", "seed"};
-    EXPECT_EQ(nearest_name("raduis", names), "radius"); // a swap
+    EXPECT_EQ(nearest_name("raduis", names), "radius"); // a transposition
     EXPECT_EQ(nearest_name("rotatoin", names), "rotation");
     EXPECT_EQ(nearest_name("sed", names), "seed");
     EXPECT_EQ(nearest_name("thickness", names), "");
@@ -100,7 +101,7 @@ TEST(RandomNumbers, BelowIsUniform) {
     for (const int count : counts)
         chi2 += (count - 1000.0) * (count - 1000.0) / 1000.0;
     EXPECT_LT(chi2, 148.2);
-    EXPECT_GT(chi2, 61.1); // 0.1th percentile: too even is wrong too
+    EXPECT_GT(chi2, 61.1); // 0.1th percentile: too regular is wrong too
 }
 
 TEST(RandomNumbers, UniformStaysInHalfOpenInterval) {
@@ -158,7 +159,7 @@ TEST(MeshNormals, CreaseSplitsACubeAndSmoothingDoesNot) {
     EXPECT_NEAR(smooth.normals[7].dot(Vec3(1, 1, 1).normalized()), 1, 1e-6);
 }
 
-TEST(MeshTransform, MirrorKeepsTheOutsideOut) {
+TEST(MeshTransform, MirroringKeepsOutwardNormals) {
     Mesh mesh = cube();
     Matrix mirror;
     mirror.setScale(Vec3(-2, 1, 1));
@@ -180,6 +181,25 @@ TEST(RegionFacts, AreaInsideAndDistanceOfASquareWithAHole) {
     EXPECT_DOUBLE_EQ(signed_distance(region, {0.25, 2}), -0.25);
     EXPECT_DOUBLE_EQ(signed_distance(region, {2, 2}), 1);
     EXPECT_DOUBLE_EQ(signed_distance(region, {7, 8}), 5);
+}
+
+TEST(LocatedErrors, PlaceInputFaultsAndLeaveOthersAsTheyAre) {
+    Params params("generator.layout", {"scene.lua", 7});
+    params.set("epsilon", 0.1, {"scene.lua", 9});
+    const auto fails = [] { throw Error("is too small"); };
+    EXPECT_EQ(message_of([&] { located(params, "epsilon", fails); }),
+              "scene.lua:9: generator.layout.epsilon: is too small");
+    EXPECT_EQ(message_of([&] { located(params, "scale", fails); }),
+              "scene.lua:7: generator.layout.scale: is too small");
+    EXPECT_EQ(message_of([&] { located(params, fails); }),
+              "scene.lua:7: generator.layout: is too small");
+    try {
+        located(params.place("epsilon"), [] { throw Error::resource("out of memory"); });
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.fault(), Fault::resource);
+        EXPECT_STREQ(error.what(), "out of memory");
+    }
 }
 
 TEST(RegistryTable, RefusesADuplicate) {

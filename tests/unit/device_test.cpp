@@ -44,7 +44,7 @@ class DeviceTest : public testing::Test {
                   ("scree_device_test_" + std::to_string(std::rand()) + std::to_string(getpid()));
         std::filesystem::create_directories(folder_);
         setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
-        // PoCL has a cache of its own, which must outlive a test.
+        // PoCL has a cache too, which must not be in the temporary folder of a test.
         setenv("POCL_CACHE_DIR", std::filesystem::temp_directory_path().c_str(), 0);
     }
     void TearDown() override { std::filesystem::remove_all(folder_); }
@@ -67,7 +67,7 @@ TEST_F(DeviceTest, RunsAKernelAndCachesIt) {
     const auto time = std::filesystem::last_write_time(cached()[0]);
     expect_doubled();
     ASSERT_EQ(cached().size(), 1U);
-    EXPECT_EQ(std::filesystem::last_write_time(cached()[0]), time); // used, not made again
+    EXPECT_EQ(std::filesystem::last_write_time(cached()[0]), time); // used, not written again
 }
 
 TEST_F(DeviceTest, IgnoresADamagedCache) {
@@ -84,7 +84,7 @@ TEST_F(DeviceTest, IgnoresADamagedCache) {
     expect_doubled();
     std::filesystem::resize_file(cached()[0], 0);
     expect_doubled();
-    // Made again, and used. Not to the byte: PoCL adds what it has compiled of the kernel so far.
+    // Written again and used. Its bytes may differ, since PoCL adds the parts compiled so far.
     EXPECT_GT(std::filesystem::file_size(cached()[0]), 0U);
     const auto time = std::filesystem::last_write_time(cached()[0]);
     expect_doubled();
@@ -92,7 +92,7 @@ TEST_F(DeviceTest, IgnoresADamagedCache) {
 }
 
 TEST_F(DeviceTest, IgnoresACacheThatCannotBeWritten) {
-    setenv("XDG_CACHE_HOME", "/proc", 1); // not even for root
+    setenv("XDG_CACHE_HOME", "/proc", 1); // not writable even for root
     expect_doubled();
 }
 
@@ -108,7 +108,7 @@ TEST_F(DeviceTest, ShowsTheCompilersLog) {
     }
 }
 
-TEST_F(DeviceTest, ListsWhatThereIsWhenItFindsNone) {
+TEST_F(DeviceTest, ListsTheDevicesWhenNoneMatches) {
     const Device device("no such device");
     try {
         device.name();

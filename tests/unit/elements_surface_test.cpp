@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "generators/elements/elements_generator.h"
 #include "geometry/plane/region_shapes.h"
-#include "geometry/plane/region_tools.h"
 #include "shapes/table.h"
-#include "tests/support/layout_params.h"
-#include "tests/support/plugin_params.h"
+#include "tests/support/elements_params.h"
+#include "tests/support/regions.h"
 
 #include <gtest/gtest.h>
 
@@ -12,25 +10,16 @@ namespace scree {
 namespace {
 
 Params bar_component() {
-    for (const ParamSpec& spec : elements_plugin().params) {
-        if (spec.name != "components")
-            continue;
-        Params params = tests::defaults(spec.fields, "generator.elements.components[1]");
-        // A bar whose middle is not its origin.
-        Ring bar = rectangle_ring(0.1, 0.02);
-        for (Vec2& v : bar)
-            v += Vec2(0.3, 0.1);
-        params.set("shape", std::make_shared<const Region>(triangulate({bar})), {"scene.lua", 20});
-        return params;
-    }
-    return {};
+    // A bar whose middle is not its origin.
+    Ring bar = rectangle_ring(0.1, 0.02);
+    for (Vec2& v : bar)
+        v += Vec2(0.3, 0.1);
+    return tests::element_component(tests::region_of(bar));
 }
 
 Aggregate bars_on(const Mesh& mesh, std::size_t components) {
-    Params params = tests::defaults(elements_plugin().params, "generator.elements");
+    Params params = tests::elements_params(std::vector<Params>(components, bar_component()));
     params.set("surface", std::make_shared<const Mesh>(mesh), {"scene.lua", 9});
-    params.set("components", std::make_shared<const std::vector<Params>>(
-                                 std::vector<Params>(components, bar_component())));
     return elements_plugin().make(params, {});
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/parallel.h"
 #include "generators/elements/class_sizes.h"
-#include "generators/elements/elements_generator.h"
 #include "generators/elements/exclusive_ellipse.h"
 #include "geometry/plane/ground_plane.h"
 #include "geometry/plane/region_shapes.h"
 #include "geometry/plane/region_tools.h"
 #include "geometry/sampling/poisson_disk.h"
 #include "shapes/field/plain_fields.h"
-#include "tests/support/layout_params.h"
+#include "tests/support/aggregates.h"
+#include "tests/support/elements_params.h"
+#include "tests/support/regions.h"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +19,8 @@
 namespace scree {
 namespace {
 
-std::shared_ptr<const Region> shared(const Ring& ring) {
-    return std::make_shared<const Region>(triangulate({ring}));
-}
+using tests::fact;
+using tests::region_of;
 
 Ring ellipse_ring(double length, double width, const Vec2& centre = Vec2(0.0)) {
     Ring ring = circle_ring(1, 64);
@@ -29,33 +29,15 @@ Ring ellipse_ring(double length, double width, const Vec2& centre = Vec2(0.0)) {
     return ring;
 }
 
-Params component(const Ring& ring) {
-    const Plugin<Bake> plugin = elements_plugin();
-    for (const ParamSpec& spec : plugin.params) {
-        if (spec.name != "components")
-            continue;
-        Params params = tests::defaults(spec.fields, "generator.elements.components[1]");
-        params.set("shape", shared(ring), {"scene.lua", 20});
-        return params;
-    }
-    return {};
-}
+Params component(const Ring& ring) { return tests::element_component(region_of(ring)); }
 
 Params elements(const Ring& domain, std::vector<Params> components) {
-    Params params = tests::defaults(elements_plugin().params, "generator.elements");
-    params.set("domain", shared(domain), {"scene.lua", 9});
-    params.set("components", std::make_shared<const std::vector<Params>>(std::move(components)));
+    Params params = tests::elements_params(std::move(components));
+    params.set("domain", region_of(domain), {"scene.lua", 9});
     return params;
 }
 
 Aggregate bake(const Params& params) { return elements_plugin().make(params, {}); }
-
-double fact(const Aggregate& aggregate, const std::string& name) {
-    for (const auto& [key, value] : aggregate.facts)
-        if (key == name)
-            return value;
-    return std::nan("");
-}
 
 Vec2 position(const Instance& instance) {
     return ground_point(Vec2(0.0), instance.world_from_object);
@@ -215,7 +197,7 @@ TEST(Elements, MixEvenlyByShareOrAtRandomByWeight) {
             ++counts[instance.prototype];
         EXPECT_EQ(counts[0], fact(aggregate, "count_1")) << mix;
         EXPECT_EQ(overlapping_pairs(aggregate), 0U);
-        // Evenly mixed the rarer ones keep farther apart than chance has it.
+        // Evenly mixed, the rarer ones keep farther apart than in a random mix.
         double nearest = 1e9;
         for (const Instance& a : aggregate.instances)
             for (const Instance& b : aggregate.instances)
@@ -262,7 +244,7 @@ TEST(Elements, GivenSizesAreUsedAsTheyAre) {
                 nearest = std::min(nearest, depth(a, {0.2, 0.1}, b));
     EXPECT_GT(nearest, 1 - 1e-5);
     EXPECT_LT(nearest, 1.02);
-    // Of one the other follows in the outline's proportions; a disk has the larger one.
+    // Given one axis, the other follows in the outline's proportions; a disk has the larger one.
     Params length = component(ellipse_ring(0.02, 0.01));
     length.set("length", 0.2);
     const std::size_t count = bake(elements(rectangle_ring(3, 3), {length})).instances.size();
@@ -319,7 +301,7 @@ TEST(Elements, MayBePicturesOverABackground) {
 
 TEST(Elements, DrawTheRegionWhileTheOutlineKeepsOthersAway) {
     Params star = component(star_ring(0.05, 0.3, 5));
-    star.set("region", shared(circle_ring(0.1, 32)));
+    star.set("region", region_of(circle_ring(0.1, 32)));
     const Aggregate aggregate = bake(elements(rectangle_ring(3, 3), {star}));
     EXPECT_EQ(aggregate.prototypes[0].region->rings[0].size(), 10U);
     const double circles = signed_area(circle_ring(0.1, 32)) / 9;

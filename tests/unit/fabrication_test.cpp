@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The union of solids against closed forms, what is kept of it, and the files that hold it.
+// The union of solids against closed forms, the selection of parts, and the files written.
 #include "core/error.h"
 #include "core/file.h"
 #include "core/parallel.h"
@@ -50,11 +50,11 @@ std::string message_of(const Aggregate& aggregate, const FabricationOptions& opt
     return "no error";
 }
 
-TEST(Fabrication, VolumeOfOverlappingBallsIsTheirUnions) {
+TEST(Fabrication, VolumeOfOverlappingBallsIsThatOfTheirUnion) {
     FabricationOptions options;
     options.resolution = 0.5 * mm;
     for (const double distance : {0.006, 0.012, 0.018}) {
-        const double r = 0.01, h = 2 * r - distance; // of the lens that both share
+        const double r = 0.01, h = 2 * r - distance; // half height of their common lens
         const double lens = pi * h * h * (distance * distance + 4 * distance * r) / (12 * distance);
         const double expected = 2 * (4.0 / 3) * pi * r * r * r - lens;
         const Fabrication made = made_of(two_balls(float(distance)), options);
@@ -84,8 +84,8 @@ TEST(Fabrication, PartsApartAreRemovedOrKept) {
     EXPECT_NEAR(volume(both.mesh), large * 9 / 8, 0.01 * large);
 }
 
-// A ball of radius R that rests on the rims of both boxes reaches R - sqrt(R^2 - (gap/2)^2) between
-// them: the closing fills the gap up to there.
+// A ball of radius R resting on the edges of both boxes extends R - sqrt(R^2 - (gap/2)^2) into the
+// gap; the closing fills the rest.
 TEST(Fabrication, ABridgeFillsNarrowGapsOnly) {
     FabricationOptions options;
     options.resolution = 0.5 * mm;
@@ -95,11 +95,11 @@ TEST(Fabrication, ABridgeFillsNarrowGapsOnly) {
     options.bridge = 2 * mm;
     const Fabrication made = made_of(two_boxes(0.002F), options);
     EXPECT_TRUE(made.removed.empty());
-    const double reach = 2 - std::sqrt(4.0 - 1) + 0.25; // and half a cell
+    const double reach = 2 - std::sqrt(4.0 - 1) + 0.25; // plus half a cell
     const double most = 2000 + 2 * 10 * 10, least = 2000 + 2 * (10 - 2 * reach) * (10 - 2 * reach);
     EXPECT_GT(made.parts[0].volume, 0.99 * least * mm3);
     EXPECT_LT(made.parts[0].volume, 1.01 * most * mm3);
-    // A convex body closes to itself.
+    // The closing of a convex body is the body.
     options.resolution = 1 * mm;
     const Aggregate alone = aggregate_of({ball()}, {instance(0, placed({0, 0, 0}))});
     const double sphere = 4.0 / 3 * pi * 1e-6;
@@ -111,7 +111,7 @@ TEST(Fabrication, EnclosedVoidsAreFilledOrKept) {
     options.resolution = 0.25 * mm;
     const Fabrication filled = made_of(closed_room(), options);
     EXPECT_EQ(filled.voids, 1U);
-    EXPECT_TRUE(filled.removed.empty()); // the ball is in what was filled
+    EXPECT_TRUE(filled.removed.empty()); // the ball lies in the filled void
     EXPECT_NEAR(filled.void_volume, 4096 * mm3, 0.02 * 4096 * mm3);
     EXPECT_NEAR(volume(filled.mesh), 8000 * mm3, 0.01 * 8000 * mm3);
     options.keep_voids = true;
@@ -220,7 +220,7 @@ TEST(Fabrication, OpenComponentsAreNamedAndLeftOut) {
     EXPECT_EQ(made_of(aggregate, options).solids, 2U);
 }
 
-TEST(Fabrication, MessagesNameWhatDoesNotFit) {
+TEST(Fabrication, MessagesNameInvalidOptions) {
     FabricationOptions options;
     options.resolution = 1e-7;
     EXPECT_EQ(message_of(two_balls(0.012F), options),

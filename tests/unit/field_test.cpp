@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields: their values, and that the bounds over boxes are true and tight.
+// Fields: their values, and that their bounds over boxes are correct and tight.
 #include "core/error.h"
 #include "core/image.h"
 #include "core/random.h"
@@ -20,7 +20,7 @@ namespace {
 
 double wrapped(double angle) { return angle - 360 * std::round(angle / 360); }
 
-/// How far a value lies outside a range; for angles, the nearest of its equals.
+/// How far a value lies outside a range; for angles, modulo full turns.
 double outside(const Field& field, double value, const Range& range) {
     if (field.period() > 0) {
         if (range.high - range.low >= field.period())
@@ -43,7 +43,7 @@ SampleGrid random_grid(int columns, int rows, bool torus, bool angle, std::uint6
     return grid;
 }
 
-/// Directions that change slowly but for a vortex of one turn, so that most bounds are short.
+/// Directions that change slowly except at a vortex, so that most bounds are small.
 SampleGrid vortex_grid(int columns, int rows, bool torus) {
     SampleGrid grid = random_grid(columns, rows, torus, true, 0);
     for (int z = 0; z < rows; ++z)
@@ -53,7 +53,7 @@ SampleGrid vortex_grid(int columns, int rows, bool torus) {
     return grid;
 }
 
-TEST(GridField, NearestTakesNoMixture) {
+TEST(GridField, NearestDoesNotInterpolate) {
     SampleGrid grid = random_grid(5, 4, false, false, 8);
     grid.stepped = true;
     const std::vector<float> values = grid.values;
@@ -99,7 +99,7 @@ std::vector<std::pair<std::string, std::shared_ptr<const Field>>> all_fields() {
 }
 
 Box2 random_box(Random& random) {
-    // Of all sizes from 1e-6 to 10 m.
+    // Sizes are log-uniform from 1e-6 to 10 m.
     const Vec2 middle(random.uniform() * 8 - 4, random.uniform() * 8 - 4);
     const double x = std::pow(10.0, 1 - 7 * random.uniform());
     const double z = random.uniform() < 0.5 ? x : std::pow(10.0, 1 - 7 * random.uniform());
@@ -115,7 +115,7 @@ TEST(Field, NoValueLiesOutsideTheBounds) {
             const Range range = field->over(box);
             ASSERT_LE(range.low, range.high) << name;
             for (int k = 0; k < 30; ++k) {
-                // Corners and sides too: that is where extremes are.
+                // Includes corners and sides, where extremes lie.
                 const auto share = [&] {
                     const double u = random.uniform() * 1.4 - 0.2;
                     return std::clamp(u, 0.0, 1.0);
@@ -131,7 +131,7 @@ TEST(Field, NoValueLiesOutsideTheBounds) {
     }
 }
 
-// The bounds of a box of few cells are reached, and those of larger ones are not much too long.
+// The bounds of small boxes converge to the value.
 TEST(Field, BoundsApproachTheValue) {
     for (const auto& [name, field] : all_fields()) {
         int jumps = 0;
@@ -141,7 +141,7 @@ TEST(Field, BoundsApproachTheValue) {
             const Vec2 p(random.uniform() * 4 - 2, random.uniform() * 4 - 1);
             constexpr double half = 1e-7;
             const Range range = field->over({p - Vec2(half), p + Vec2(half)});
-            // The steepest grid rises by 400 over 0.01 m.
+            // The steepest grid changes by 400 over 0.01 m.
             if (range.high - range.low > 2 * half * 1e5)
                 ++jumps;
         }
@@ -156,11 +156,12 @@ TEST(Field, BoundsOfManyCellsComeNearTheExtremes) {
         const Vec2 middle(random.uniform() - 0.5, 1.5 + random.uniform());
         const Vec2 half(0.3);
         const Box2 wide(middle - half, middle + half);
-        // 62 x 28 cells: blocks of 16 x 16 are looked at, so the bounds reach 15 cells farther.
+        // 62 x 28 cells are covered by blocks of 16 x 16, so the bounds include up to 15 more
+        // cells.
         const Vec2 slack(16 * 2.0 / 200, 16 * 3.0 / 133);
         const Box2 wider(wide.min - slack, wide.max + slack);
         const Range bounds = field.over(wide);
-        // A grid of boxes of few cells that covers more: their bounds are exact.
+        // Exact bounds of the extended box, from smaller boxes.
         Range exact{1e9, -1e9};
         for (int z = 0; z < 40; ++z)
             for (int x = 0; x < 40; ++x) {
@@ -231,7 +232,7 @@ TEST(Field, GradientsAreConstantBeyond) {
     EXPECT_NEAR(range.high, 10 + 5 * std::sqrt(2.0), 1e-12);
 }
 
-TEST(Field, SamplesAreRefusedWhenTheyAreNotWhatTheySay) {
+TEST(Field, InvalidSamplesAreRejected) {
     EXPECT_EQ(parse_samples("2 1 0.5 -3e2", 4).values, (std::vector<float>{0.5F, -300}));
     for (const char* text :
          {"", "2", "0 1", "2 1 3", "2 1 3 nan", "2 1 3 inf", "2 1 3 1e99", "2 1 3 4 5", "9 1 1",
@@ -273,9 +274,9 @@ TEST_F(ImageField, TopRowIsFarAndStoredValuesCount) {
     const Vec2 far_left(-0.5, -1), far_right(0.5, -1), near_left(-0.5, 1), near_right(0.5, 1);
     EXPECT_NEAR(with("r", 1)->at(far_left), 1, 1e-6);
     EXPECT_NEAR(with("g", 10)->at(far_right), 10, 1e-6);
-    EXPECT_NEAR(with("b", 1)->at(near_left), 1, 1e-6); // not multiplied by alpha
+    EXPECT_NEAR(with("b", 1)->at(near_left), 1, 1e-6); // not premultiplied
     EXPECT_NEAR(with("a", 1)->at(near_left), 128 / 255.0, 1e-6);
-    EXPECT_NEAR(with("luminance", 1)->at(near_right), 128 / 255.0, 1e-6); // not made linear
+    EXPECT_NEAR(with("luminance", 1)->at(near_right), 128 / 255.0, 1e-6); // not converted to linear
     EXPECT_NEAR(with("luminance", 1)->at(far_right), 0.7152, 1e-6);
     EXPECT_NEAR(with("r", 1)->at({0, -1}), 0.5, 1e-6);
     EXPECT_NEAR(with("r", 1)->at({-9, -9}), 1, 1e-6);

@@ -51,7 +51,7 @@ TEST(HeightField, MeetsItsPixelsAtTheirCentres) {
     const HeightField field = random_field(7, 5, {"Y"});
     for (int y = 0; y < 5; ++y)
         for (int x = 0; x < 7; ++x) {
-            // The weights of a place that rounding moved by 1e-15 of a pixel.
+            // Rounding moves the position by up to 1e-15 of a pixel.
             EXPECT_NEAR(field.height(centre_of(field, x, y)), *field.image.at(x, y), 1e-9);
             EXPECT_NEAR(field.height(centre_of(field, x, y) + Vec2(3, -2)), *field.image.at(x, y),
                         1e-9)
@@ -80,7 +80,8 @@ TEST(HeightField, HasAContinuousSlopeAcrossItsBorder) {
         const auto slope = [&](double u) {
             return (field.height({u + step, v}) - field.height({u, v})) / step;
         };
-        // Second derivatives reach about 20 pixels^-2 of heights of 1e-3, on pixels of 1/16.
+        // Second derivatives are at most about 20 per square pixel for heights of 1e-3; pixels are
+        // 1/16 wide.
         EXPECT_NEAR(slope(-step), slope(0), 20 * 1e-3 * 256 * 2 * step) << v;
         EXPECT_NEAR(field.height({-1e-9, v}), field.height({1e-9, v}), 1e-8);
     }

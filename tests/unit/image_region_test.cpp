@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outlines of images against areas that are known and against the images themselves.
+// Outlines of images against known areas and against the images.
 #include "core/error.h"
 #include "core/image.h"
 #include "core/random.h"
@@ -30,8 +30,8 @@ struct Picture {
     }
     PixelGrid grid() const { return {width, height, values}; }
 
-    /// Where `inside` [pixels] is positive, with an edge three pixels wide, so that interpolation
-    /// finds it again.
+    /// Draws the set where the signed distance `inside` [pixels] is positive, with an edge three
+    /// pixels wide, so that interpolation reconstructs it.
     void draw(const auto& inside) {
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
@@ -39,7 +39,7 @@ struct Picture {
                     std::clamp(0.5 + inside(Vec2(x + 0.5, y + 0.5)) / 3, 0.0, 1.0));
     }
 
-    /// Bilinear between the pixels' middles.
+    /// Bilinear interpolation between pixel centres.
     double between(const Vec2& p) const {
         const double u = p.x - 0.5, v = p.y - 0.5;
         const int x = std::clamp(int(std::floor(u)), 0, width - 2);
@@ -64,16 +64,17 @@ TEST(ImageOutline, ADiskKeepsItsAreaToAThousandth) {
     ASSERT_EQ(rings.size(), 1U);
     EXPECT_NEAR(area_of(rings) / (pi * 60 * 60), 1, 1e-4);
     for (const Vec2& p : rings[0])
-        EXPECT_NEAR((p - Vec2(97.3, 81.8)).length(), 60, 0.02); // sub-pixel
+        EXPECT_NEAR((p - Vec2(97.3, 81.8)).length(), 60, 0.02); // sub-pixel accuracy
     const std::size_t before = rings[0].size();
     simplify_within(rings, 0.5);
     EXPECT_LT(rings[0].size(), before / 10);
     EXPECT_NEAR(area_of(rings) / (pi * 60 * 60), 1, 1e-2);
     for (const Vec2& p : rings[0])
-        EXPECT_NEAR((p - Vec2(97.3, 81.8)).length(), 60, 0.02); // points are kept, not moved
+        EXPECT_NEAR((p - Vec2(97.3, 81.8)).length(), 60,
+                    0.02); // simplification does not move points
 }
 
-TEST(ImageOutline, HolesAndPartsTurnAsTheyShould) {
+TEST(ImageOutline, HolesAndPartsHaveTheRightOrientation) {
     Picture picture(100, 50);
     picture.draw([](const Vec2& p) {
         const double ring = 5 - std::abs((p - Vec2(25, 25)).length() - 15);
@@ -88,7 +89,7 @@ TEST(ImageOutline, HolesAndPartsTurnAsTheyShould) {
     EXPECT_EQ(holes, 1);
 }
 
-TEST(ImageOutline, AFullImageIsItsRectangleButForTheCorners) {
+TEST(ImageOutline, AFullImageIsItsRectangleExceptTheCorners) {
     Picture picture(30, 20);
     std::fill(picture.values.begin(), picture.values.end(), 1.0F);
     const std::vector<Ring> rings = image_outlines(picture.grid(), 0.5F, 4);
@@ -99,7 +100,7 @@ TEST(ImageOutline, AFullImageIsItsRectangleButForTheCorners) {
     EXPECT_EQ(box.max, Vec2(30, 20));
 }
 
-TEST(ImageOutline, CrosswisePixelsAreJoinedByTheirMean) {
+TEST(ImageOutline, DiagonalPixelsAreConnectedByTheirMean) {
     for (const double low : {0.0, 0.3}) {
         Picture picture(4, 4);
         std::fill(picture.values.begin(), picture.values.end(), 0.0F);
@@ -111,13 +112,14 @@ TEST(ImageOutline, CrosswisePixelsAreJoinedByTheirMean) {
     }
 }
 
-// Noise of all kinds: whatever the image, the rings are a valid region, before and after they are
-// simplified, and hold just the points where the image is above the threshold.
+// For noise images of all kinds the rings form a valid region, before and after simplification, and
+// contain exactly the points where the image is above the threshold.
 TEST(ImageOutline, NoiseGivesValidRegions) {
     for (std::uint64_t i = 0; i < 40; ++i) {
         Random random(3, Purpose::test, i);
         Picture picture(2 + int(random.below(30)), 2 + int(random.below(30)));
-        const std::uint32_t steps = 2 + random.below(4); // few values: many on the threshold itself
+        const std::uint32_t steps =
+            2 + random.below(4); // few levels, so that many equal the threshold
         for (float& value : picture.values)
             value = i % 2 == 0 ? random.uniform_float()
                                : static_cast<float>(random.below(steps)) / float(steps - 1);
@@ -126,11 +128,11 @@ TEST(ImageOutline, NoiseGivesValidRegions) {
         if (rings.empty())
             continue;
         const Region region = triangulate(rings);
-        EXPECT_NEAR(area(region), area_of(rings), 1e-9) << i; // directions were right
+        EXPECT_NEAR(area(region), area_of(rings), 1e-9) << i; // orientations are right
         for (int k = 0; k < 300; ++k) {
             const Vec2 p(random.uniform(0.5, picture.width - 0.5),
                          random.uniform(0.5, picture.height - 0.5));
-            // In a cell the level line is a hyperbola, which the outline replaces by a chord.
+            // In a cell the level line is a hyperbola, which the outline approximates by a chord.
             const double value = picture.between(p);
             const Vec2 middle(std::round(p.x - 0.5) + 0.5, std::round(p.y - 0.5) + 0.5);
             const bool clear = std::abs(value - double{threshold}) > 0.35;
@@ -138,7 +140,7 @@ TEST(ImageOutline, NoiseGivesValidRegions) {
                 EXPECT_EQ(contains(region, p), value > double{threshold}) << i;
             }
         }
-        // The pixels' middles themselves, all of them.
+        // All pixel centres.
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x)
                 EXPECT_EQ(contains(region, {x + 0.5, y + 0.5}), picture.at(x, y) >= threshold) << i;
@@ -167,7 +169,7 @@ class ImageRegion : public testing::Test {
     }
     void TearDown() override { std::filesystem::remove(path_); }
 
-    /// `alpha` of every pixel, on white.
+    /// Writes a white image with this alpha.
     void write(const Picture& alpha) {
         Image image(alpha.width, alpha.height, {"R", "G", "B", "A"});
         for (std::size_t i = 0; i < alpha.values.size(); ++i) {
@@ -177,7 +179,7 @@ class ImageRegion : public testing::Test {
         write_png(path_, image);
     }
 
-    /// Simplified by no more than a twentieth of a pixel, unless `values` say more.
+    /// The region of the image, simplified by at most 1/20 of a pixel unless `values` differ.
     Region read(std::map<std::string, Value> values) {
         values["path"] = path_;
         values.try_emplace("tolerance", 0.05);
@@ -233,7 +235,7 @@ TEST_F(ImageRegion, SpecksAndEmptyImages) {
     }
 }
 
-// 4096 x 4096: 3,000 disks with holes. The time is of the outline, without reading the file.
+// 4096 x 4096 pixels with 3,000 disks with holes. The time is that of the outline, without reading.
 TEST(ImageOutline, BigImagesTakeSeconds) {
     Picture picture(4096, 4096);
     std::vector<Vec2> centres;

@@ -53,7 +53,7 @@ TEST(Image, PngRoundTripIsWithinOneStepAndLinear) {
         const std::string path = temporary("round.png");
         Image image = ramp(40, 30, channels);
         for (std::size_t i = 3; channels.size() == 4 && i < image.pixels.size(); i += 4)
-            image.pixels[i] = 1; // opaque: reading multiplies by alpha
+            image.pixels[i] = 1; // opaque, since reading premultiplies
         write_png(path, image);
         const Image read = read_image(path);
         ASSERT_EQ(read.channels, channels);
@@ -116,12 +116,12 @@ TEST(Image, ForeignAndBrokenFilesAreInputErrors) {
     EXPECT_THROW(read_image(temporary("no_such_file.png")), Error);
 }
 
-TEST(Image, NoRoomLeavesTheOldFileWhole) {
+TEST(Image, AFullDiskLeavesTheOldFileIntact) {
     // A limit on file size fails writes in the middle just as a full disk does.
     std::vector<ImagePart> parts = {{"beauty", ramp(300, 300, {"R", "G", "B"}), true}};
     Random random(1, Purpose::test);
     for (float& v : parts[0].image.pixels)
-        v = random.uniform_float(); // so that nothing compresses well
+        v = random.uniform_float(); // incompressible
     for (const std::string name : {"full.exr", "full.png"}) {
         const std::string path = temporary(name);
         write_file(path, "old");

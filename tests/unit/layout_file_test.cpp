@@ -3,9 +3,9 @@
 #include "core/canvas.h"
 #include "core/display_encoding.h"
 #include "core/error.h"
-#include "formats/bake_json.h"
 #include "formats/layout_picture.h"
 #include "formats/read_bake_json.h"
+#include "formats/write_bake_json.h"
 #include "geometry/plane/ground_plane.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@
 namespace scree {
 namespace {
 
-// A square with a square hole, twice: in the middle of a rectangle, and turned, scaled and over its
-// border.
+// Two instances of a square with a square hole: one in the middle of a rectangle, one rotated,
+// scaled and across its border.
 Aggregate two_frames(bool torus) {
     Aggregate aggregate;
     aggregate.generator = "layout";
@@ -124,7 +124,7 @@ TEST(ReadBakeJson, ErrorsNameFileAndKey) {
               "its domain");
 }
 
-// Areas of the drawn paths [mm^2], by prototype and transform as a viewer would apply them.
+// The area of the drawn paths [mm^2], with the transforms applied as by a viewer.
 double drawn_area(const std::string& svg, int* uses) {
     std::map<std::string, double> areas;
     static const std::regex path(R"re(<path id="(a\d+p\d+)"[^>]* d="([^"]*)")re");
@@ -172,14 +172,14 @@ TEST(LayoutSvg, DrawsEveryRegionWithItsArea) {
     EXPECT_TRUE(std::regex_search(svg, std::regex("width=\"[0-9.]+mm\"")));
 }
 
-TEST(LayoutSvg, ATorusShowsTheCopiesThatReachIn) {
+TEST(LayoutSvg, ATorusShowsThePeriodicCopies) {
     const Aggregate aggregate = two_frames(true);
     int uses = 0;
     drawn_area(layout_svg(std::span(&aggregate, 1), dark), &uses);
-    EXPECT_EQ(uses, 3); // the second one also on the left
+    EXPECT_EQ(uses, 3); // the second one appears on the left too
 }
 
-// The share of dark pixels is the share of the domain that is covered.
+// The share of dark pixels is the covered share of the domain.
 TEST(LayoutImage, CoversTheAreaOfTheRegions) {
     for (const bool torus : {false, true}) {
         const Aggregate aggregate = two_frames(torus);

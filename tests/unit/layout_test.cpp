@@ -6,8 +6,10 @@
 #include "geometry/figures/overlap.h"
 #include "geometry/plane/ground_plane.h"
 #include "geometry/plane/region_shapes.h"
-#include "geometry/plane/region_tools.h"
+#include "tests/support/aggregates.h"
+#include "tests/support/errors.h"
 #include "tests/support/layout_params.h"
+#include "tests/support/regions.h"
 
 #include <gtest/gtest.h>
 
@@ -20,26 +22,13 @@ namespace scree {
 namespace {
 
 using tests::component;
+using tests::error_of;
+using tests::fact;
 using tests::layout_params;
-
-std::shared_ptr<const Region> shared(const Ring& ring) {
-    return std::make_shared<const Region>(triangulate({ring}));
-}
+using tests::region_of;
 
 std::string message_of(const Params& params) {
-    try {
-        layout_plugin().make(params, {});
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
-double fact(const Aggregate& aggregate, const std::string& name) {
-    for (const auto& [key, value] : aggregate.facts)
-        if (key == name)
-            return value;
-    return std::nan("");
+    return error_of([&] { layout_plugin().make(params, {}); });
 }
 
 bool same(const Aggregate& a, const Aggregate& b) {
@@ -51,9 +40,9 @@ bool same(const Aggregate& a, const Aggregate& b) {
 }
 
 Params two_shapes(const std::string& method) {
-    Params params =
-        layout_params(shared(rectangle_ring(3, 2)), {component(0, shared(l_ring(0.3, 0.1))),
-                                                     component(1, shared(star_ring(0.2, 0.4, 5)))});
+    Params params = layout_params(region_of(rectangle_ring(3, 2)),
+                                  {component(0, region_of(l_ring(0.3, 0.1))),
+                                   component(1, region_of(star_ring(0.2, 0.4, 5)))});
     params.set("method", method);
     params.set("scale", Range{0.6, 1.2});
     params.set("cancellations", std::int64_t{method == "naive" ? 1000 : 200});
@@ -107,11 +96,24 @@ TEST(Layout, FactsAddUp) {
               fact(aggregate, "count") + fact(aggregate, "cancellations"));
 }
 
+TEST(Layout, AnglesAndScalesAreKeptInDouble) {
+    Params params = two_shapes("naive");
+    params.set("rotation", Range{0.3, 0.3});
+    params.set("scale", Range{0.7, 0.7});
+    params.set("max_count", std::int64_t{3});
+    const Aggregate aggregate = layout_plugin().make(params, {});
+    ASSERT_EQ(aggregate.instances.size(), 3U);
+    for (const Instance& instance : aggregate.instances) {
+        EXPECT_EQ(instance.angle, 0.3);
+        EXPECT_EQ(instance.scale, 0.7);
+    }
+}
+
 LayoutProblem problem_with(std::vector<double> weights, Selection selection) {
-    LayoutProblem problem{.domain = DomainTest(shared(rectangle_ring(3, 2)), Inside::whole),
+    LayoutProblem problem{.domain = DomainTest(region_of(rectangle_ring(3, 2)), Inside::whole),
                           .seed = 5};
     for (const double weight : weights) {
-        problem.shapes.emplace_back(*shared(l_ring(0.3, 0.1)));
+        problem.shapes.emplace_back(*region_of(l_ring(0.3, 0.1)));
         problem.weights.push_back(weight);
     }
     problem.selection = selection;
@@ -184,9 +186,9 @@ TEST(Overlap, AgreesWithBruteForce) {
     for (int i = 0; i < 20000; ++i) {
         const CollisionShape& a = shapes[random.below(5)];
         const CollisionShape& b = shapes[random.below(5)];
-        const Pose pa({random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(0, 2 * pi),
-                      std::exp(random.uniform(-3, 0.5)));
-        const Pose pb({0.1, -0.2}, random.uniform(0, 2 * pi), 1);
+        const FigurePose pa({random.uniform(-1, 1), random.uniform(-1, 1)},
+                            random.uniform(0, 2 * pi), std::exp(random.uniform(-3, 0.5)));
+        const FigurePose pb({0.1, -0.2}, random.uniform(0, 2 * pi), 1);
         Region placed_a = a.outline(), placed_b = b.outline();
         for (Ring& ring : placed_a.rings)
             for (Vec2& v : ring)
@@ -213,10 +215,10 @@ TEST(Overlap, AgreesWithBruteForce) {
 }
 
 TEST(Overlap, KeepsTheClearance) {
-    const CollisionShape square(*shared(rectangle_ring(1, 1)));
-    const Pose here({0, 0}, 0, 1);
+    const CollisionShape square(*region_of(rectangle_ring(1, 1)));
+    const FigurePose here({0, 0}, 0, 1);
     for (const double gap : {0.05, 0.099, 0.101, 0.2}) {
-        const Pose there({1 + gap, 0}, 0, 1);
+        const FigurePose there({1 + gap, 0}, 0, 1);
         EXPECT_EQ(overlap(square, there, square, here, there.position, 0.1), gap < 0.1) << gap;
         EXPECT_FALSE(overlap(square, there, square, here, there.position, 0));
     }
@@ -239,11 +241,11 @@ std::vector<std::uint32_t> brute_force_distances(const GapField& field) {
 }
 
 TEST(GapField, DistancesAreExact) {
-    const DomainTest domain(shared(l_ring(2, 1.1)), Inside::whole);
+    const DomainTest domain(region_of(l_ring(2, 1.1)), Inside::whole);
     GapField field(domain, 70, nullptr);
-    const CollisionShape star(*shared(star_ring(0.2, 0.4, 5)));
-    field.occupy(star.outline(), Pose({-0.5, -0.4}, 0.3, 1));
-    field.occupy(star.outline(), Pose({0.5, -0.5}, 0.7, 0.5));
+    const CollisionShape star(*region_of(star_ring(0.2, 0.4, 5)));
+    field.occupy(star.outline(), FigurePose({-0.5, -0.4}, 0.3, 1));
+    field.occupy(star.outline(), FigurePose({0.5, -0.5}, 0.7, 0.5));
     field.candidates(16, 1, 0);
     EXPECT_EQ(field.squared_distance(), brute_force_distances(field));
 }
@@ -251,9 +253,9 @@ TEST(GapField, DistancesAreExact) {
 TEST(GapField, DeviceAndHostGiveTheSameBytes) {
     Device device;
     for (const Inside inside : {Inside::whole, Inside::centre}) {
-        const DomainTest domain(shared(l_ring(2, 1.1)), inside);
+        const DomainTest domain(region_of(l_ring(2, 1.1)), inside);
         GapField host(domain, 301, nullptr), other(domain, 301, &device);
-        const CollisionShape star(*shared(star_ring(0.2, 0.4, 5)));
+        const CollisionShape star(*region_of(star_ring(0.2, 0.4, 5)));
         for (std::uint64_t round = 0; round < 6; ++round) {
             for (const std::uint32_t exponent : {1U, 3U, 16U}) {
                 EXPECT_EQ(host.candidates(exponent, 77, round),
@@ -262,7 +264,7 @@ TEST(GapField, DeviceAndHostGiveTheSameBytes) {
                 EXPECT_EQ(host.marks(), other.marks());
                 EXPECT_GT(std::accumulate(host.marks().begin(), host.marks().end(), 0), 0);
             }
-            const Pose pose({-0.8 + 0.3 * double(round), -0.6}, double(round), 1);
+            const FigurePose pose({-0.8 + 0.3 * double(round), -0.6}, double(round), 1);
             host.occupy(star.outline(), pose);
             other.occupy(star.outline(), pose);
         }
@@ -270,7 +272,7 @@ TEST(GapField, DeviceAndHostGiveTheSameBytes) {
 }
 
 TEST(GapField, CandidatesFollowThePowerOfTheDistance) {
-    const DomainTest domain(shared(rectangle_ring(1, 1)), Inside::whole);
+    const DomainTest domain(region_of(rectangle_ring(1, 1)), Inside::whole);
     for (const std::uint32_t exponent : {1U, 5U, 16U}) {
         GapField field(domain, 128, nullptr);
         // Pixels in classes by probability, each class's count against its expectation.
@@ -300,9 +302,9 @@ TEST(GapField, CandidatesFollowThePowerOfTheDistance) {
 }
 
 TEST(LayoutErrors, NameComponentAndSizes) {
-    Params params = layout_params(
-        shared(rectangle_ring(0.3, 0.3)),
-        {component(0, shared(l_ring(0.1, 0.03))), component(1, shared(rectangle_ring(0.5, 0.4)))});
+    Params params = layout_params(region_of(rectangle_ring(0.3, 0.3)),
+                                  {component(0, region_of(l_ring(0.1, 0.03))),
+                                   component(1, region_of(rectangle_ring(0.5, 0.4)))});
     EXPECT_EQ(
         message_of(params),
         "scene.lua:21: generator.layout.components[2].shape: the region of component_1, 0.5 x "
@@ -320,8 +322,8 @@ TEST(LayoutErrors, NameComponentAndSizes) {
 }
 
 TEST(LayoutErrors, FitsOnlyWhenTurned) {
-    Params params = layout_params(shared(rectangle_ring(1.0, 0.2)),
-                                  {component(0, shared(rectangle_ring(0.1, 0.9)))});
+    Params params = layout_params(region_of(rectangle_ring(1.0, 0.2)),
+                                  {component(0, region_of(rectangle_ring(0.1, 0.9)))});
     params.set("max_count", std::int64_t{1});
     params.set("method", std::string("naive"));
     EXPECT_EQ(message_of(params), "no error");
@@ -333,14 +335,32 @@ TEST(LayoutErrors, FitsOnlyWhenTurned) {
 }
 
 TEST(LayoutErrors, LocateMarginAndEmptyDomain) {
-    Params small = component(0, shared(l_ring(0.1, 0.03)));
+    Params small = component(0, region_of(l_ring(0.1, 0.03)));
     small.set("margin", -0.05, {"scene.lua", 55});
-    EXPECT_EQ(message_of(layout_params(shared(rectangle_ring(1, 1)), {small})),
+    EXPECT_EQ(message_of(layout_params(region_of(rectangle_ring(1, 1)), {small})),
               "scene.lua:55: generator.layout.components[1].margin: a margin of -0.05 m leaves "
               "nothing of the region");
     EXPECT_EQ(message_of(layout_params(std::make_shared<const Region>(),
-                                       {component(0, shared(l_ring(0.1, 0.03)))})),
+                                       {component(0, region_of(l_ring(0.1, 0.03)))})),
               "scene.lua:9: generator.layout.domain: the domain has no area");
+}
+
+TEST(LayoutErrors, KeepTheKindOfAFaultThatIsNotTheInputs) {
+    Context context;
+    context.progress = [](std::string_view, double) { throw Error::resource("out of memory"); };
+    for (const std::string method : {"naive", "fill_gap", "saturated"}) {
+        Params params = two_shapes(method);
+        params.set("epsilon", 0.2);
+        params.set("cancellations", std::int64_t{3000});
+        params.set("max_count", std::int64_t{1000000});
+        try {
+            layout_plugin().make(params, context);
+            ADD_FAILURE() << method;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.fault(), Fault::resource) << method;
+            EXPECT_STREQ(error.what(), "out of memory") << method;
+        }
+    }
 }
 
 TEST(Layout, CanBeCancelled) {

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "tests/support/mesh_bytes.h"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,7 @@ namespace scree {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace tests;
 
 class MeshFile : public testing::Test {
   protected:
@@ -37,7 +39,7 @@ class MeshFile : public testing::Test {
         return path;
     }
 
-    // What is said of the file, without the folder's name.
+    // The error message for the file, without the folder's name.
     std::string problem(const std::string& name, std::string_view bytes) {
         return without_folder([&] { read_mesh(write(name, bytes)); });
     }
@@ -57,19 +59,6 @@ class MeshFile : public testing::Test {
 
     fs::path folder_;
 };
-
-template <class T>
-void put(std::string& out, T value, bool big = false) {
-    std::array<char, sizeof(T)> raw{};
-    std::memcpy(raw.data(), &value, sizeof(T));
-    if (big)
-        std::reverse(raw.begin(), raw.end());
-    out.append(raw.data(), raw.size());
-}
-
-// The corner of a unit cube: the origin and the three axes' ends.
-constexpr float points[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-constexpr int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
 void expect_tetrahedron(const Mesh& mesh) {
     EXPECT_EQ(mesh.triangles.size(), 4U);
@@ -96,57 +85,16 @@ std::string ply_binary(bool big) {
                       "_endian 1.0\r\nelement vertex 4\r\nproperty float x\r\n"
                       "property float y\r\nproperty double z\r\nelement face 4\r\n"
                       "property list uint8 int32 vertex_index\r\nend_header\r\n";
-    for (const auto& p : points) {
+    for (const auto& p : corner_points) {
         put(out, p[0], big);
         put(out, p[1], big);
         put(out, double(p[2]), big);
     }
-    for (const auto& f : faces) {
+    for (const auto& f : corner_faces) {
         put(out, std::uint8_t{3});
         for (const int i : f)
             put(out, std::int32_t{i}, big);
     }
-    return out;
-}
-
-std::string stl_ascii() {
-    std::string out = "solid corner\n";
-    for (const auto& f : faces) {
-        out += " facet normal 0 0 0\n  outer loop\n";
-        for (const int i : f) {
-            out += "   vertex";
-            for (const float x : points[i])
-                out += " " + std::to_string(x);
-            out += "\n";
-        }
-        out += "  endloop\n endfacet\n";
-    }
-    return out + "endsolid corner\n";
-}
-
-std::string stl_binary() {
-    std::string out("solid but binary");
-    out.resize(80, ' ');
-    put(out, std::uint32_t{4});
-    for (const auto& f : faces) {
-        for (int k = 0; k < 3; ++k)
-            put(out, 0.0F);
-        for (const int i : f)
-            for (const float x : points[i])
-                put(out, x);
-        put(out, std::uint16_t{0});
-    }
-    return out;
-}
-
-std::string gltf_buffer() {
-    std::string out;
-    for (const auto& p : points)
-        for (const float x : p)
-            put(out, x);
-    for (const auto& f : faces)
-        for (const int i : f)
-            put(out, static_cast<std::uint16_t>(i));
     return out;
 }
 
@@ -161,43 +109,7 @@ std::string gltf_json(const std::string& uri, const std::string& node) {
 {"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
 }
 
-std::string glb(const std::string& node) {
-    std::string json = gltf_json("", node);
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    const std::string buffer = gltf_buffer();
-    std::string out = "glTF";
-    put(out, std::uint32_t{2});
-    put(out, static_cast<std::uint32_t>(28 + json.size() + buffer.size()));
-    put(out, static_cast<std::uint32_t>(json.size()));
-    out += "JSON" + json;
-    put(out, static_cast<std::uint32_t>(buffer.size()));
-    out += std::string("BIN\0", 4) + buffer;
-    return out;
-}
-
-std::string chunk(std::uint16_t kind, const std::string& body) {
-    std::string out;
-    put(out, kind);
-    put(out, static_cast<std::uint32_t>(body.size() + 6));
-    return out + body;
-}
-
-std::string three_ds() {
-    std::string vertices;
-    put(vertices, std::uint16_t{4});
-    for (const auto& p : points)
-        for (const float x : p)
-            put(vertices, x);
-    std::string triangles;
-    put(triangles, std::uint16_t{4});
-    for (const auto& f : faces) {
-        for (const int i : f)
-            put(triangles, static_cast<std::uint16_t>(i));
-        put(triangles, std::uint16_t{0});
-    }
-    const std::string mesh = chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4120, triangles));
-    return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("corner\0", 7) + mesh)));
-}
+std::string glb(const std::string& node) { return glb_of(gltf_json("", node)); }
 
 TEST_F(MeshFile, ReadsEveryKind) {
     expect_tetrahedron(read_mesh(write("a.obj", obj())));
@@ -205,7 +117,7 @@ TEST_F(MeshFile, ReadsEveryKind) {
     expect_tetrahedron(read_mesh(write("little.ply", ply_binary(false))));
     expect_tetrahedron(read_mesh(write("big.PLY", ply_binary(true))));
     expect_tetrahedron(read_mesh(write("a.stl", stl_ascii())));
-    expect_tetrahedron(read_mesh(write("b.stl", stl_binary())));
+    expect_tetrahedron(read_mesh(write("b.stl", stl_binary("solid but binary"))));
     expect_tetrahedron(read_mesh(write("a.glb", glb(R"({"mesh":0})"))));
     expect_tetrahedron(read_mesh(write("a.3ds", three_ds())));
     write("a.bin", gltf_buffer());
@@ -217,7 +129,7 @@ TEST_F(MeshFile, GltfNodesTransform) {
     const Mesh moved = read_mesh(write(
         "a.glb",
         glb(R"({"mesh":0,"translation":[5,0,0],"rotation":[0,0,0.70710678,0.70710678],"scale":[2,2,2]})")));
-    // Scaled, then turned by 90 degrees about z (x to y), then moved.
+    // Scaled, then rotated by 90 degrees about z (x to y), then translated.
     EXPECT_TRUE(bounds(moved).min.equalWithAbsError(Vec3(3, 0, 0), 1e-5F)) << bounds(moved).min;
     EXPECT_TRUE(bounds(moved).max.equalWithAbsError(Vec3(5, 2, 2), 1e-5F)) << bounds(moved).max;
     EXPECT_NEAR(volume(moved), 8.0 / 6, 1e-5);
@@ -227,12 +139,12 @@ TEST_F(MeshFile, KeepsNormalsAndUvs) {
     const Mesh mesh = read_mesh(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\n"
                                                "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1/1 2/2/1 3/3/1\n"));
     ASSERT_EQ(mesh.normals.size(), 3U);
-    EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1)); // made unit
+    EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1)); // normalised
     ASSERT_EQ(mesh.uvs.size(), 3U);
     EXPECT_EQ(mesh.uvs[1], Vec2f(1, 0));
 }
 
-TEST_F(MeshFile, DropsNormalsThatAreNoNumbers) {
+TEST_F(MeshFile, DropsNonFiniteNormals) {
     const Mesh mesh = read_mesh(write(
         "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
                  "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
@@ -267,7 +179,7 @@ TEST_F(MeshFile, Errors) {
               "a.obj: a face names vertex 9 of 3");
     EXPECT_EQ(problem("a.obj", "v 0 0 0\n"), "a.obj: it has no triangles");
     EXPECT_EQ(problem("a.obj", ""), "a.obj: it has no triangles");
-    EXPECT_EQ(problem("a.stl", "cut" + stl_binary().substr(3, 197)),
+    EXPECT_EQ(problem("a.stl", "cut" + stl_binary("solid but binary").substr(3, 197)),
               "a.stl: it ends too early: its header promises 4 triangles, there is room for 2");
     EXPECT_EQ(problem("a.3ds", three_ds().substr(0, 60)), "a.3ds: it ends too early");
     EXPECT_EQ(problem("a.3ds", "no"), "a.3ds: it is not a 3DS file");
@@ -343,7 +255,7 @@ TEST_F(MeshFile, ManyCornersAreOneFaceAndNoHang) {
         ASSERT_NEAR(n.length(), 1.0F, 1e-4F);
 }
 
-// The parameters of mesh.file as the reader hands them over.
+// Calls mesh.file with parameters as made by the scene reader.
 Mesh make(const std::string& path, const std::vector<std::pair<std::string, Value>>& values = {}) {
     const auto table = mesh_file_table();
     Params params("mesh.file", {"toys.lua", 3});
@@ -363,7 +275,7 @@ TEST_F(MeshFile, Plugin) {
     const Mesh sized = make(path, {{"size", 0.5}});
     EXPECT_NEAR(bounds(sized).size().x, 0.5F, 1e-6F);
     EXPECT_EQ(bounds(sized).min.y, 0);
-    // z up: the file's z becomes y, and its y goes away from the viewer.
+    // z up: the file's z becomes y, and its y becomes -z.
     const Mesh turned = make(path, {{"up", std::string("z")}});
     EXPECT_EQ(bounds(turned).min, Vec3(0, 0, -1));
     EXPECT_NEAR(volume(turned), 1.0 / 6, 1e-7);

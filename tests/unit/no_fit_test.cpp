@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the search for room is built of, against brute force: convex covers, no-fit polygons of
+// The parts of the search for room against brute force: convex covers, no-fit polygons of
 // intervals of angles and scales, and what they leave of an area.
 #include "core/random.h"
 #include "generators/layout/open_area.h"
@@ -82,7 +82,7 @@ TEST(ConvexCover, CoversTheRegionAndNoMore) {
 TEST(ConvexCover, TheArmsOfAnLAreItsPieces) {
     const std::vector<Ring> cover = convex_cover(triangulate({l_ring(1, 0.3)}));
     ASSERT_EQ(cover.size(), 2U);
-    EXPECT_NEAR(signed_area(cover[0]), 0.3, 1e-9); // both whole arms, not one and the rest
+    EXPECT_NEAR(signed_area(cover[0]), 0.3, 1e-9); // both arms in full length
     EXPECT_NEAR(signed_area(cover[1]), 0.3, 1e-9);
 }
 
@@ -163,7 +163,7 @@ TEST(NoFit, NothingOfItIsFartherThanTheClearance) {
     std::size_t inside = 0, near = 0;
     for (int trial = 0; trial < 1500; ++trial) {
         const Ring a = convex_ring(random), b = convex_ring(random);
-        const ConvexPiece piece_a(a, pi / 2), piece_b(b, pi / 2);
+        const NoFitPiece piece_a(a, pi / 2), piece_b(b, pi / 2);
         const double half = std::exp2(random.uniform(-8, 0)) * 0.7;
         const double low = random.uniform(0.5, 1);
         const Interval v{random.uniform(0, 2 * pi), half, low, low * random.uniform(1, 1.2)};
@@ -205,7 +205,7 @@ TEST(NoFit, ApproachesTheExactSetAsTheIntervalShrinks) {
     std::size_t overlaps = 0;
     for (int trial = 0; trial < 400; ++trial) {
         const Ring a = convex_ring(random), b = convex_ring(random);
-        const ConvexPiece piece_a(a, pi / 2), piece_b(b, pi / 2);
+        const NoFitPiece piece_a(a, pi / 2), piece_b(b, pi / 2);
         const double angle = random.uniform(0, 2 * pi);
         PiecePool moving, fixed;
         moving.add(piece_a, std::cos(angle), std::sin(angle), 1, {0, 0});
@@ -216,7 +216,7 @@ TEST(NoFit, ApproachesTheExactSetAsTheIntervalShrinks) {
             const Vec2 p = random_point(random, {Vec2(-1.2), Vec2(1.2)});
             if (distance(placed(a, p, angle, 1), b) > 0)
                 continue;
-            // So deep that moving it by 1e-3 in any direction leaves an overlap.
+            // Deep enough that an overlap remains after a move by 1e-3 in any direction.
             bool deep = true;
             for (int k = 0; k < 8; ++k)
                 deep = deep &&
@@ -239,7 +239,7 @@ TEST(NoFit, SaysNeverOnlyWhereItNeverReaches) {
     std::size_t never = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         const Ring a = convex_ring(random), b = convex_ring(random);
-        const ConvexPiece piece_a(a, pi / 2), piece_b(b, pi / 2);
+        const NoFitPiece piece_a(a, pi / 2), piece_b(b, pi / 2);
         const double angle = random.uniform(0, 2 * pi), half = random.uniform(0, 0.5);
         PiecePool moving, fixed;
         moving.add(piece_a, std::cos(angle), std::sin(angle), 1, {0, 0});
@@ -274,7 +274,7 @@ TEST(OpenArea, WhatIsLeftIsWhatThePolygonDoesNotHold) {
     Random random(5, Purpose::test);
     std::size_t taken = 0;
     for (int trial = 0; trial < 1000; ++trial) {
-        const ConvexPiece piece(convex_ring(random), pi);
+        const NoFitPiece piece(convex_ring(random), pi);
         PiecePool pool;
         pool.add(piece, 1, 0, 1, {0, 0});
         HalfPlanes polygon;

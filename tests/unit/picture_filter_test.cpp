@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures put over each other, against brute force.
+// Compositing of pictures, against brute force.
 #include "core/canvas.h"
 #include "core/random.h"
 #include "tests/support/pictures.h"
@@ -11,7 +11,7 @@
 namespace scree {
 namespace {
 
-// Soft blobs of colour whose finest detail is some tenth of the picture.
+// Soft blobs of colour whose finest detail is about a tenth of the picture.
 std::array<float, 4> blobs(double x, double y) {
     const auto wave = [](double v) { return static_cast<float>(0.5 + 0.5 * std::sin(v)); };
     const double r = std::hypot(x - 0.5, y - 0.5);
@@ -24,7 +24,7 @@ PicturePlace turned(const Vec2& centre, double width, double height, double angl
     return {centre - (u + v) / 2, u, v};
 }
 
-/// The mean of 32 x 32 points of each pixel of the look, put over what is there.
+/// Composites the look by brute force, with 32 x 32 points per pixel.
 void brute_force(Image& image, const test::Look& look, const PicturePlace& place) {
     constexpr int n = 32;
     const double area = cross(place.u, place.v);
@@ -61,7 +61,7 @@ Difference difference(const Image& a, const Image& b) {
     return out;
 }
 
-// Grown, shrunk by up to 10, turned, sheared and stretched, over each other.
+// Pictures enlarged, shrunk by up to 10, rotated, sheared and stretched, over each other.
 TEST(PictureFilter, CompositesAsBruteForceDoes) {
     const PictureFilter filter(test::picture_of(300, 300, blobs), Beyond::clamped);
     const PicturePlace places[] = {
@@ -87,10 +87,10 @@ TEST(PictureFilter, CompositesAsBruteForceDoes) {
     grown.draw(coarse, turned({64, 64}, 110, 110, 0.5));
     Image wanted(128, 128, {"R", "G", "B", "A"});
     brute_force(wanted, blobs, turned({64, 64}, 110, 110, 0.5));
-    EXPECT_LT(difference(grown.image(), wanted).mean, 0.02); // of 24 pixels more cannot be known
+    EXPECT_LT(difference(grown.image(), wanted).mean, 0.02); // 24 pixels do not determine more
 }
 
-// An opaque rectangle has the edges of the same polygon.
+// The edges of an opaque rectangle equal those of the same polygon.
 TEST(PictureFilter, EdgesCoverTheirExactArea) {
     const PictureFilter filter(test::picture_of(64, 32,
                                                 [](double, double) {
@@ -106,8 +106,8 @@ TEST(PictureFilter, EdgesCoverTheirExactArea) {
     EXPECT_LT(difference(drawn.image(), filled.image()).largest, 1e-5);
 }
 
-// Rings that get finer outwards than pixels can show (a zone plate) fade into their mean.
-TEST(PictureFilter, WhatIsTooFineFadesInsteadOfAliasing) {
+// A zone plate, whose rings get finer than pixels towards the outside, fades to its mean.
+TEST(PictureFilter, FineDetailFadesInsteadOfAliasing) {
     constexpr int size = 1024;
     const auto plate = [](double x, double y) {
         const double r2 = ((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5)) * size * size;
@@ -143,7 +143,7 @@ TEST(PictureFilter, RepeatedPicturesHaveNoSeam) {
             static_cast<float>(0.5 + 0.25 * std::sin(2 * pi * x + 1) + 0.25 * std::cos(4 * pi * y));
         return std::array{v, 1 - v, 0.5F, 1.0F};
     };
-    // Odd sizes, so that halvings do not fall on pixels.
+    // Odd sizes, so that texels of mip levels do not align with pixels.
     const PictureFilter filter(test::picture_of(237, 155, waves), Beyond::repeated);
     Canvas canvas(60, 40);
     canvas.draw(filter, {{0, 0}, {60, 0}, {0, 40}});

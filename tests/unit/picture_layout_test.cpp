@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Layouts of pictures as pixels and as SVG, which must show the same.
+// Layouts of pictures as pixels and as SVG, which must look the same.
 #include "core/display_encoding.h"
 #include "core/drawing.h"
 #include "core/drawing_raster.h"
@@ -28,7 +28,7 @@ std::shared_ptr<const Region> rectangle(double width, double depth) {
     return std::make_shared<Region>(triangulate({{{-x, -z}, {x, -z}, {x, z}, {-x, z}}}));
 }
 
-// A half-transparent arrow to the far side with a hole, nothing symmetric in it.
+// A half-transparent asymmetric arrow with a hole, which points to the far side.
 std::string arrow() {
     return svg("<defs><linearGradient id='g' x2='0' y2='1'><stop stop-color='#e04010'/>"
                "<stop offset='1' stop-color='#2040c0'/></linearGradient></defs>"
@@ -39,7 +39,7 @@ std::string arrow() {
 
 Image arrow_pixels() { return rasterised(read_drawing(arrow()).markup, {60, 100}, 300, 500); }
 
-/// Arrows as pixels and as drawings, and plain rectangles, at random on a texture.
+/// A texture with arrows as pixels and as drawings, and rectangles, at random places.
 Aggregate arrows(bool torus, const test::Folder& folder, std::uint64_t seed = 1) {
     Aggregate aggregate;
     aggregate.generator = "test";
@@ -103,7 +103,7 @@ TEST(PictureLayout, SvgAndPixelsShowTheSame) {
         const Image pixels = drawn(aggregate, 800);
         ASSERT_EQ(pixels.width, 800);
         ASSERT_EQ(pixels.height, 600);
-        // librsvg mixes edges display-encoded, and samples embedded pixels more coarsely.
+        // librsvg blends edges in display encoding and filters embedded pixels more coarsely.
         const Comparison d = compare(pixels, svg_drawn(aggregate, 800, 600));
         EXPECT_LT(d.mean, 0.006) << torus;
         EXPECT_LT(d.different, 0.02) << torus;
@@ -136,11 +136,11 @@ TEST(PictureLayout, EachPictureIsOneSymbol) {
     EXPECT_EQ(base64("M"), "TQ==");
 }
 
-// The tile of a layout that is moved by half a period is the tile moved by half a period.
+// Moving a layout by half a period moves its tile by half a period.
 TEST(PictureLayout, ATorusIsOnePeriodWithoutASeam) {
     const test::Folder folder;
     Aggregate aggregate = arrows(true, folder);
-    // Odd sizes, so that the background's halvings do not fall on pixels.
+    // Odd sizes, so that texels of the background's mip levels do not align with pixels.
     Picture waves{"waves",
                   test::picture_of(333, 211,
                                    [](double x, double y) {
@@ -160,7 +160,7 @@ TEST(PictureLayout, ATorusIsOnePeriodWithoutASeam) {
         z += z < 0 ? 0.15F : -0.15F;
     }
     Picture moved = waves;
-    // The background by half a period, sampled anew.
+    // The background moved by half a period, sampled again.
     moved.image = test::picture_of(333, 211, [](double x, double y) {
         const auto v = static_cast<float>(0.5 + 0.4 * std::sin(2 * pi * (3 * (x + 0.5) + y + 0.5)));
         return std::array{v, 0.3F, 1 - v, 1.0F};
@@ -178,7 +178,7 @@ TEST(PictureLayout, ATorusIsOnePeriodWithoutASeam) {
         ASSERT_NEAR(tile.pixels[i], 1, 1e-5);
 }
 
-TEST(PictureLayout, ATextureIsClearWhereNothingIs) {
+TEST(PictureLayout, ATextureIsTransparentBetweenElements) {
     const test::Folder folder;
     Aggregate aggregate = arrows(false, folder);
     aggregate.instances.resize(1);
@@ -189,7 +189,7 @@ TEST(PictureLayout, ATextureIsClearWhereNothingIs) {
     for (std::size_t i = 3; i < image.pixels.size(); i += 4)
         clear += image.pixels[i] == 0 ? 1 : 0;
     EXPECT_GT(clear, 0.9 * image.width * image.height);
-    // With the usual look there is paper.
+    // A layout that is not a texture has paper.
     aggregate.texture = false;
     const Image paper = drawn(aggregate, 200);
     EXPECT_NEAR(paper.at(0, 0)[3], 1, 1e-6);
@@ -225,16 +225,16 @@ TEST(PictureShape, OutlineAndPictureCoincide) {
     const Box2 box = bounds(*shape.region);
     EXPECT_NEAR(box.size().y, 0.09, 1e-12);
     EXPECT_NEAR(box.center().length(), 0, 1e-12);
-    EXPECT_NEAR(shape.picture->box.size().y, 0.1, 5e-4); // 100 for the arrow's 90
+    EXPECT_NEAR(shape.picture->box.size().y, 0.1, 5e-4); // the picture is 100 high, the arrow 90
     EXPECT_NEAR(area(*shape.region), 1e-6 * (0.5 * 50 * 35 + 20 * 55 - 100 + 150), 2e-5);
-    // UV says for every corner where it lies in the picture.
+    // The UVs of every vertex give its position in the picture.
     for (std::size_t i = 0; i < shape.mesh->positions.size(); ++i) {
         const Vec2 uv(shape.mesh->uvs[i]);
         const Box2& whole = shape.picture->box;
         EXPECT_NEAR(whole.min.x + uv.x * whole.size().x, double(shape.mesh->positions[i].x), 1e-7);
         EXPECT_NEAR(whole.max.y - uv.y * whole.size().y, double(shape.mesh->positions[i].z), 1e-7);
     }
-    // A photograph's outline is its rectangle.
+    // The outline of an opaque picture is its rectangle.
     write_png(folder.file("photo.png"), Image(60, 40, {"R", "G", "B"}));
     const PictureShape photo = picture_shape(read_picture(folder.file("photo.png")), 0.3);
     EXPECT_NEAR(area(*photo.region), 0.3 * 0.2, 0.001);

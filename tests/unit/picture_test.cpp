@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures as they are read, and what is refused.
+// Reading of pictures, and rejection of invalid ones.
 #include "core/display_encoding.h"
 #include "core/drawing.h"
 #include "core/drawing_raster.h"
@@ -18,12 +18,12 @@ std::string refusal(const std::string& body,
     return error_of([&] { read_drawing(svg(body, attributes)); });
 }
 
-TEST(Picture, PixelsBecomeLinearAndMultipliedByAlpha) {
+TEST(Picture, PixelsBecomeLinearAndPremultiplied) {
     const test::Folder folder;
     Image stored(4, 2, {"R", "G", "B", "A"});
     for (std::size_t i = 0; i < stored.pixels.size(); i += 4) {
         stored.pixels[i] = 1;
-        stored.pixels[i + 1] = 188 / 255.0F; // half the light
+        stored.pixels[i + 1] = 188 / 255.0F; // 0.5 in linear light
         stored.pixels[i + 3] = 51 / 255.0F;
     }
     write_png(folder.file("a.png"), stored);
@@ -36,7 +36,7 @@ TEST(Picture, PixelsBecomeLinearAndMultipliedByAlpha) {
     EXPECT_NEAR(pixel[1], 0.2F * 0.5029F, 1e-4);
     EXPECT_EQ(pixel[2], 0.0F);
     EXPECT_NEAR(pixel[3], 0.2F, 1e-5);
-    // And back to the same 8 bits.
+    // The conversion back gives the same 8 bits.
     const Image display = display_image(picture.image);
     for (std::size_t i = 0; i < display.pixels.size(); ++i)
         EXPECT_NEAR(display.pixels[i], stored.pixels[i], 1e-5);
@@ -80,7 +80,7 @@ TEST(Picture, MistakesNameTheFile) {
     const std::string cut = folder.write("cut.png", bytes.substr(0, bytes.size() / 2));
     EXPECT_EQ(message(cut).find(cut + ": is not a valid image"), 0U) << message(cut);
 
-    // A header of 200,000 pixels a side, its checksum right.
+    // A header of 200,000 x 200,000 pixels with a valid checksum.
     std::string huge = bytes;
     const unsigned char header[] = {'I', 'H', 'D', 'R', 0, 3, 13, 64, 0, 3, 13, 64, 8, 2, 0, 0, 0};
     std::uint32_t crc = 0xffffffffU;
@@ -104,7 +104,7 @@ TEST(Picture, MistakesNameTheFile) {
                                     "\"https://example.org/a.png\", outside the file; embed it");
 }
 
-TEST(Drawing, NothingFromOutsideIsTaken) {
+TEST(Drawing, ExternalReferencesAreRejected) {
     for (const char* body :
          {"<image href='a.png'/>", "<image href='file:///etc/passwd'/>",
           "<use xlink:href='other.svg#leaf'/>", "<rect fill='url(other.svg#g)'/>",
@@ -142,7 +142,7 @@ TEST(Drawing, ScriptsEntitiesAndDepthAreRefused) {
     EXPECT_NE(refusal("", "width='0' height='1'").find("has no size"), std::string::npos);
     EXPECT_NE(error_of([] { read_drawing("<html/>"); }).find("expected svg"), std::string::npos);
     EXPECT_NE(error_of([] { read_drawing("<svg"); }).find("line 1"), std::string::npos);
-    // Uses of uses: 2^40 rectangles.
+    // Nested <use> elements that give 2^40 rectangles.
     std::string uses = "<defs><rect id='u0' width='1' height='1'/>";
     for (int i = 1; i <= 40; ++i)
         for (const std::string to = std::to_string(i - 1); const char* part : {"<g id='u", ""}) {
@@ -156,8 +156,8 @@ TEST(Drawing, ScriptsEntitiesAndDepthAreRefused) {
     EXPECT_EQ(error_of([&] { read_picture(path); }).find(path + ": cannot be drawn"), 0U);
 }
 
-// Two drawings with the same ids and the same classes in one.
-TEST(Drawing, EmbeddedOnesDoNotMeddle) {
+// Two drawings with equal ids and classes in one document.
+TEST(Drawing, EmbeddedDrawingsAreIndependent) {
     const auto one = [](const char* color) {
         return read_drawing(
                    svg("<style>.a { fill: url(#g) } rect#b, #c{stroke:none}</style>"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// procedural.image
+// procedural.image, alone and in the renderer's hits.
 #include "core/random.h"
 #include "procedurals/image.h"
 #include "procedurals/table.h"
@@ -24,7 +24,7 @@ std::shared_ptr<const Procedural> made(std::map<std::string, Value> values) {
     return tests::make(procedural_table(), "image", values);
 }
 
-// Left half red, right half nothing; sRGB 188 is half the light.
+// The left half is red, the right half transparent; sRGB 188 is 0.5 in linear light.
 Image half_red() {
     Image image(8, 8, {"R", "G", "B", "A"});
     for (int y = 0; y < 8; ++y)
@@ -41,7 +41,7 @@ TEST(ImageTexture, IsLinearAndCleanAtItsOutline) {
     write_png(path, half_red());
     const auto texture = made({{"path", path}});
     EXPECT_NEAR(color_at(*texture, {0.2F, 0.5F}).x, 0.5F, 0.005);
-    for (const float x : {0.45F, 0.5F, 0.55F, 0.7F, 0.99F}) // not darker where it is cut out
+    for (const float x : {0.45F, 0.5F, 0.55F, 0.7F, 0.99F}) // not darker beyond the outline
         EXPECT_NEAR(color_at(*texture, {x, 0.5F}).x, 0.5F, 0.005) << x;
     const auto on_blue = made({{"path", path}, {"ground", Color(0, 0, 0.8F)}});
     EXPECT_NEAR(color_at(*on_blue, {0.8F, 0.5F}).z, 0.8F, 1e-5);

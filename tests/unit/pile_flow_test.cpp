@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/error.h"
 #include "core/random.h"
-#include "generators/pile/orientation_flow.h"
+#include "generators/pile/flow_settings.h"
 #include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
@@ -113,7 +113,7 @@ TEST(PileFlow, RotationIsAddedToIt) {
         const Vec3 u = transform_direction(instance.world_from_object, {1, 0, 0});
         const Vec3 v = transform_direction(instance.world_from_object, {0, 1, 0});
         if (std::abs(v.z) > 0.99F)
-            continue; // where the flow nearly ceases
+            continue; // where the flow is nearly along the normal
         const Vec3 flow = (Vec3(0, 0, 1) - v * v.z).normalized();
         const double angle = std::acos(std::min(1.0, double(u.dot(flow))));
         EXPECT_LE(angle, 0.2501);

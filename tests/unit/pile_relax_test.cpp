@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/bodies/pile_kind.h"
-#include "geometry/bodies/push_apart.h"
+#include "geometry/bodies/push.h"
 #include "tests/support/piles.h"
 
 #include <gtest/gtest.h>
@@ -23,12 +22,12 @@ Params relaxed(const Mesh& target, const char* fill) {
 }
 
 TEST(PileRelax, MassOfABoxByClosedForm) {
-    const PileComponent box = tests::prepared(component_mesh(
+    const Body box = *tests::body_of(component_mesh(
         "box", {{"width", 0.002}, {"height", 0.004}, {"depth", 0.006}, {"rounding", 0.0}}));
     const MassProperties mass = mass_properties(box);
     const double m = 0.002 * 0.004 * 0.006;
     EXPECT_NEAR(mass.mass, m, 1e-5 * m);
-    const Vec3 middle = bounds(*box.prototype.mesh()).center() - box.origin;
+    const Vec3 middle = bounds(*box.mesh).center() - box.origin;
     EXPECT_NEAR(double((mass.centre - middle).length()), 0, 1e-7);
     const std::array<double, 3> squares{0.002 * 0.002, 0.004 * 0.004, 0.006 * 0.006};
     for (int i = 0; i < 3; ++i) {
@@ -39,10 +38,10 @@ TEST(PileRelax, MassOfABoxByClosedForm) {
 }
 
 TEST(PileRelax, TwoBallsPartSymmetrically) {
-    const PileComponent sphere = tests::prepared(ball(0.01));
+    const Body sphere = *tests::body_of(ball(0.01));
     const MassProperties mass = mass_properties(sphere);
-    Body a{&sphere, &mass, {}};
-    Body b{&sphere, &mass, {}};
+    MovingBody a{&sphere, &mass, {}};
+    MovingBody b{&sphere, &mass, {}};
     a.pose.centre = {-0.008, 0.003, 0};
     b.pose.centre = {0.008, 0.003, 0};
     EXPECT_NEAR(push_apart(a, b, 0), 0.004, 0.0002);
@@ -53,49 +52,34 @@ TEST(PileRelax, TwoBallsPartSymmetrically) {
 }
 
 TEST(PileRelax, APushBesideTheCentreTurns) {
-    const PileComponent box = tests::prepared(component_mesh(
+    const Body box = *tests::body_of(component_mesh(
         "box", {{"width", 0.04}, {"height", 0.01}, {"depth", 0.01}, {"rounding", 0.0}}));
-    const PileComponent sphere = tests::prepared(ball(0.005));
+    const Body sphere = *tests::body_of(ball(0.005));
     const MassProperties box_mass = mass_properties(box);
     const MassProperties ball_mass = mass_properties(sphere);
-    Body a{&box, &box_mass, {}};
-    Body b{&sphere, &ball_mass, {}};
+    MovingBody a{&box, &box_mass, {}};
+    MovingBody b{&sphere, &ball_mass, {}};
     b.pose.centre = {0.018, 0.009, 0}; // over the end, one millimetre in
     EXPECT_GT(push_apart(a, b, 0), 0.0005);
-    EXPECT_LT(a.pose.world_from_component[0][1], -0.001F); // the end goes down
+    EXPECT_LT(a.pose.world_from_body[0][1], -0.001F); // the end goes down
     EXPECT_LT(a.pose.centre.y, 0);
     EXPECT_GT(b.pose.centre.y, 0.009);
-    const Imath::M33f m = a.pose.world_from_component;
+    const Imath::M33f m = a.pose.world_from_body;
     EXPECT_NEAR(double(m.determinant()), 1, 1e-5);
 }
 
-// Vertices of each grain in each other, by all triangles.
 TEST(PileRelax, NoGrainIsDeepInAnother) {
     const Mesh mesh = rice();
     const Aggregate pile = pile_plugin().make(relaxed(ball(0.006), "solid"), {});
     ASSERT_GT(pile.instances.size(), 10U);
-    const Box3 box = bounds(mesh);
-    double deepest = 0;
-    for (const Instance& a : pile.instances)
-        for (const Instance& b : pile.instances) {
-            if (&a == &b)
-                continue;
-            const Imath::M44d there =
-                Imath::M44d(a.world_from_object) * Imath::M44d(b.world_from_object).inverse();
-            for (const Vec3& vertex : mesh.positions) {
-                const Imath::V3d p = Imath::V3d(vertex) * there;
-                if (box.intersects(Vec3(p)))
-                    deepest = std::max(deepest, -tests::signed_distance(mesh, p));
-            }
-        }
-    EXPECT_LE(deepest, 0.02 * tests::prepared(mesh).radius);
+    EXPECT_LE(tests::deepest_vertex(pile, mesh), 0.02 * tests::body_of(mesh)->radius);
 }
 
 TEST(PileRelax, LeavesLittleOverlap) {
     for (const char* fill : {"surface", "solid"}) {
         const Aggregate pile = pile_plugin().make(relaxed(ball(0.015), fill), {});
         EXPECT_GT(pile.instances.size(), 200U);
-        EXPECT_GT(fact(pile, "start_depth_mean"), 0.3); // what it was strewn with
+        EXPECT_GT(fact(pile, "start_depth_mean"), 0.3); // as strewn
         EXPECT_LE(fact(pile, "depth_max"), 0.02);
         EXPECT_LT(fact(pile, "volume_overlap"), 0.003);
     }
@@ -105,15 +89,15 @@ TEST(PileRelax, SkinStaysWithinItsRange) {
     constexpr double radius = 0.012;
     const Imath::V3d centre(0, radius, 0); // it stands on y = 0
     const Aggregate pile = pile_plugin().make(relaxed(ball(radius), "surface"), {});
-    const PileKind kind{.component = tests::prepared(rice()), .spacing = 3, .refine = 2};
+    const PileKind kind = tests::kind_of(rice(), 3, 2);
     ASSERT_GT(pile.instances.size(), 20U);
     for (const Instance& instance : pile.instances) {
         const double height =
-            (Imath::V3d(kind.component.origin) * Imath::M44d(instance.world_from_object) - centre)
+            (Imath::V3d(kind.body->origin) * Imath::M44d(instance.world_from_object) - centre)
                 .length() -
             radius;
-        EXPECT_GE(height, -0.1 * kind.component.radius);
-        EXPECT_LE(height, kind.range() + 0.1 * kind.component.radius);
+        EXPECT_GE(height, -0.1 * kind.body->radius);
+        EXPECT_LE(height, kind.range() + 0.1 * kind.body->radius);
     }
     EXPECT_LE(fact(pile, "depth_max"), 0.02);
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace scree {
 namespace {
 
@@ -30,7 +32,7 @@ TEST(PileSolid, ShellsAreClosedAndAsDeepAsTheySay) {
     double larger = volume(torus);
     for (const OffsetShell& shell : shells) {
         EXPECT_TRUE(inspect(shell.surface).closed());
-        EXPECT_GT(volume(shell.surface), 0); // which way it looks
+        EXPECT_GT(volume(shell.surface), 0); // it faces outwards
         EXPECT_LT(volume(shell.surface), larger);
         larger = volume(shell.surface);
         for (std::size_t i = 0; i < shell.surface.positions.size(); i += 97)
@@ -57,15 +59,14 @@ TEST(PileSolid, FillsTheInsideAndNothingOutside) {
         return pile_plugin().make(surface, {});
     }();
     const Aggregate pile = pile_plugin().make(params, {});
-    const PileKind kind{
-        .component = tests::prepared(component_mesh("rice", {})), .spacing = 3, .refine = 2};
+    const PileKind kind = tests::kind_of(component_mesh("rice", {}), 3, 2);
     int deep = 0;
     for (const Instance& instance : pile.instances) {
         const Imath::V3d centre =
-            Imath::V3d(kind.component.origin) * Imath::M44d(instance.world_from_object) -
+            Imath::V3d(kind.body->origin) * Imath::M44d(instance.world_from_object) -
             Imath::V3d(0, radius, 0);
         EXPECT_LE(centre.length(), radius + kind.range() + 1e-6);
-        deep += centre.length() < radius - 2 * kind.component.radius;
+        deep += centre.length() < radius - 2 * kind.body->radius;
     }
     EXPECT_GT(deep, 10);
     EXPECT_GT(pile.instances.size(), skin.instances.size() / 2);
@@ -77,11 +78,33 @@ TEST(PileSolid, FillsTheInsideAndNothingOutside) {
     EXPECT_EQ(pile_plugin().make(params, {}).instances.size(), skin.instances.size());
 }
 
+// At seed 0 the sites of one component on the surface used to be those of another on a shell.
+TEST(PileSolid, NoComponentHasSitesOfAnother) {
+    const PileKind kind = tests::kind_of(component_mesh("rice", {}), 3, 2);
+    const std::vector<PileKind> kinds{kind, kind, kind};
+    const Mesh target = ball(0.012);
+    std::set<std::array<double, 3>> seen;
+    std::size_t count = 0;
+    const auto add = [&](const PileTurns& turns) {
+        for (const BodySite& site : pile_sites(target, turns, {})) {
+            seen.insert({site.position.x, site.position.y, site.position.z});
+            ++count;
+        }
+    };
+    for (const std::uint64_t seed : {0, 1}) {
+        const PileTurns turns{.kinds = kinds, .seed = seed};
+        add(turns);
+        for (std::size_t shell = 0; shell < 3; ++shell)
+            add(turns_of_shell(turns, shell));
+    }
+    EXPECT_GT(count, 1000U);
+    EXPECT_EQ(seen.size(), count);
+}
+
 TEST(PileSolid, FilledShareOfOneBallInAnother) {
-    const std::vector<PileKind> kinds{{.component = tests::prepared(ball(0.005))}};
-    Pile pile(kinds);
-    Placed placed;
-    placed.pose.centre = {0, 0.01, 0}; // the target stands on the ground
+    PlacedBodies pile({tests::body_of(ball(0.005))});
+    PlacedBody placed;
+    placed.pose.centre = {0, 0.01, 0}; // the middle of the target
     pile.add(placed);
     EXPECT_NEAR(filled_share(pile, ball(0.01), 1), 0.125, 0.01);
 }
@@ -117,7 +140,7 @@ TEST(PileSolid, CutLeavesWhatIsBelowThePlane) {
     const Aggregate whole = pile_plugin().make(params, {});
     cut_at(0.01F, params);
     const Aggregate half = pile_plugin().make(params, {});
-    const Vec3 origin = tests::prepared(component_mesh("rice", {})).origin;
+    const Vec3 origin = tests::body_of(component_mesh("rice", {}))->origin;
     std::size_t below = 0;
     for (const Instance& instance : whole.instances)
         below += (Imath::V3d(origin) * Imath::M44d(instance.world_from_object)).y <= double(0.01F);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/parallel.h"
 #include "core/random.h"
+#include "geometry/bodies/mass_properties.h"
 #include "geometry/bodies/support.h"
 #include "geometry/bodies/target_contact.h"
 #include "geometry/plane/convex_hull.h"
@@ -16,7 +17,7 @@ namespace {
 using tests::component_mesh;
 using Vec3d = Imath::V3d;
 
-constexpr double half = 0.005; // of the cubes' side, and the balls' radius
+constexpr double half = 0.005; // half the side of the cubes and the radius of the balls [m]
 
 Mesh cube() {
     return component_mesh(
@@ -24,24 +25,22 @@ Mesh cube() {
 }
 Mesh ball() { return component_mesh("sphere", {{"radius", half}}); }
 
-std::vector<PileKind> kinds_of(std::vector<Mesh> meshes) {
-    std::vector<PileKind> kinds;
-    for (Mesh& mesh : meshes) {
-        kinds.emplace_back();
-        kinds.back().component = tests::prepared(std::move(mesh));
-    }
-    return kinds;
+Bodies bodies_of(std::vector<Mesh> meshes) {
+    Bodies bodies;
+    for (Mesh& mesh : meshes)
+        bodies.push_back(tests::body_of(std::move(mesh)));
+    return bodies;
 }
 
-/// Components of the first kind, upright.
-Pile pile_at(const std::vector<PileKind>& kinds, const std::vector<Vec3d>& centres) {
-    Pile pile(kinds);
+/// Copies of the first body, upright.
+PlacedBodies pile_at(const Bodies& bodies, const std::vector<Vec3d>& centres) {
+    PlacedBodies pile(bodies);
     for (const Vec3d& centre : centres)
-        pile.add({.kind = 0, .pose = {centre, {}}});
+        pile.add({.body = 0, .pose = {centre, {}}});
     return pile;
 }
 
-Support support_on_floor(const Pile& pile) {
+Support support_on_floor(const PlacedBodies& pile) {
     return support_of(contact_graph(pile, {.floor = 0.0}));
 }
 
@@ -56,8 +55,8 @@ std::vector<int> indices(const std::vector<char>& flags) {
 using Indices = std::vector<int>;
 
 TEST(PileSupport, ThreeStackedBoxesStand) {
-    const std::vector<PileKind> kinds = kinds_of({cube()});
-    const Pile pile = pile_at(kinds, {{0, half, 0}, {0, 3 * half, 0}, {0, 5 * half, 0}});
+    const Bodies bodies = bodies_of({cube()});
+    const PlacedBodies pile = pile_at(bodies, {{0, half, 0}, {0, 3 * half, 0}, {0, 5 * half, 0}});
     const ContactGraph graph = contact_graph(pile, {.floor = 0.0});
     EXPECT_EQ(indices(support_of(graph).falling), Indices{});
     EXPECT_EQ(contact_groups(graph), 1U);
@@ -65,10 +64,10 @@ TEST(PileSupport, ThreeStackedBoxesStand) {
 }
 
 TEST(PileSupport, OverhangByMoreThanHalfFalls) {
-    const std::vector<PileKind> kinds = kinds_of({cube()});
+    const Bodies bodies = bodies_of({cube()});
     for (const double share : {-0.55, -0.4, 0.4, 0.47, 0.53, 0.8}) {
-        const Pile pile = pile_at(
-            kinds,
+        const PlacedBodies pile = pile_at(
+            bodies,
             {{0, half, 0}, {2 * share * half, 3 * half, 0}, {2 * share * half, 5 * half, 0}});
         const Support support = support_on_floor(pile);
         const bool falls = std::abs(share) > 0.5;
@@ -78,43 +77,43 @@ TEST(PileSupport, OverhangByMoreThanHalfFalls) {
 }
 
 TEST(PileSupport, BridgeStandsUntilItsPierGoes) {
-    const std::vector<PileKind> kinds = kinds_of({cube()});
+    const Bodies bodies = bodies_of({cube()});
     const double apart = 1.4 * half;
     const Vec3d left(-apart, half, 0);
     const Vec3d right(apart, half, 0);
     const Vec3d deck(0, 3 * half, 0);
-    EXPECT_EQ(indices(support_on_floor(pile_at(kinds, {left, right, deck})).falling), Indices{});
-    EXPECT_EQ(indices(support_on_floor(pile_at(kinds, {left, deck})).falling), Indices{1});
+    EXPECT_EQ(indices(support_on_floor(pile_at(bodies, {left, right, deck})).falling), Indices{});
+    EXPECT_EQ(indices(support_on_floor(pile_at(bodies, {left, deck})).falling), Indices{1});
 }
 
 TEST(PileSupport, FloatingBallIsFound) {
-    const std::vector<PileKind> kinds = kinds_of({ball()});
+    const Bodies bodies = bodies_of({ball()});
     const Support support =
-        support_on_floor(pile_at(kinds, {{0, half, 0}, {0, 3.2 * half, 0}, {0.1, half, 0}}));
+        support_on_floor(pile_at(bodies, {{0, half, 0}, {0, 3.2 * half, 0}, {0.1, half, 0}}));
     EXPECT_EQ(indices(support.floating), Indices{1});
     EXPECT_EQ(indices(support.unsupported), Indices{});
     EXPECT_EQ(indices(support.falling), Indices{1});
 }
 
 TEST(PileSupport, WhatHangsOrClingsToASideFalls) {
-    const std::vector<PileKind> kinds = kinds_of({cube()});
-    const Pile pile = pile_at(kinds, {{0, half, 0}, {0, 3 * half, 0}, {2 * half, 3.5 * half, 0}});
+    const Bodies bodies = bodies_of({cube()});
+    const PlacedBodies pile =
+        pile_at(bodies, {{0, half, 0}, {0, 3 * half, 0}, {2 * half, 3.5 * half, 0}});
     const Support support = support_on_floor(pile);
     EXPECT_EQ(indices(support.floating), Indices{});
     EXPECT_EQ(indices(support.unsupported), Indices{2});
 }
 
-// Cards flat on each other: one stays as long as its middle is over those below.
+// Cards flat on each other: one stays as long as its middle is above the one below.
 TEST(PileSupport, CardsThatOverhangByMoreThanHalfFall) {
     constexpr double side = 0.02;
     constexpr double thickness = 0.0005;
-    std::vector<PileKind> kinds(1);
-    kinds[0].component = tests::prepared(component_mesh("plane", {{"size", side}}), thickness);
+    const Bodies bodies{tests::body_of(component_mesh("plane", {{"size", side}}), thickness)};
     for (const double share : {-0.6, -0.4, 0.0, 0.4, 0.6}) {
-        const Pile pile = pile_at(kinds, {{0, 0.5 * thickness, 0},
-                                          {share * side, 1.5 * thickness, 0},
-                                          {share * side, 2.5 * thickness, 0},
-                                          {0, 6 * thickness, 0}});
+        const PlacedBodies pile = pile_at(bodies, {{0, 0.5 * thickness, 0},
+                                                   {share * side, 1.5 * thickness, 0},
+                                                   {share * side, 2.5 * thickness, 0},
+                                                   {0, 6 * thickness, 0}});
         const Support support = support_on_floor(pile);
         const bool falls = std::abs(share) > 0.5;
         EXPECT_EQ(indices(support.floating), Indices{3}) << share;
@@ -124,14 +123,14 @@ TEST(PileSupport, CardsThatOverhangByMoreThanHalfFall) {
 }
 
 TEST(PileSupport, WhatSticksToTheTargetStays) {
-    const std::vector<PileKind> kinds = kinds_of({ball()});
+    const Bodies bodies = bodies_of({ball()});
     const Mesh target = component_mesh("sphere", {{"radius", 0.02}}); // stands on y = 0
     const double under = -half;
-    const Pile pile = pile_at(kinds, {{0, under, 0},
-                                      {0, under - 2 * half, 0},
-                                      {0, 0.04 + half, 0},
-                                      {0, 0.04 + 3 * half, 0},
-                                      {0.1, 0, 0}});
+    const PlacedBodies pile = pile_at(bodies, {{0, under, 0},
+                                               {0, under - 2 * half, 0},
+                                               {0, 0.04 + half, 0},
+                                               {0, 0.04 + 3 * half, 0},
+                                               {0.1, 0, 0}});
     const Support support = support_of(contact_graph(pile, {.adhesive = &target}));
     EXPECT_EQ(indices(support.floating), Indices{4});
     EXPECT_EQ(indices(support.unsupported), Indices{1});
@@ -139,29 +138,35 @@ TEST(PileSupport, WhatSticksToTheTargetStays) {
 }
 
 TEST(PileSupport, GroupsOfScatteredBalls) {
-    const std::vector<PileKind> kinds = kinds_of({ball()});
-    const Pile pile = pile_at(kinds, {{0, 0, 0}, {2 * half, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}});
+    const Bodies bodies = bodies_of({ball()});
+    const PlacedBodies pile =
+        pile_at(bodies, {{0, 0, 0}, {2 * half, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}});
     EXPECT_EQ(contact_groups(contact_graph(pile, {})), 3U);
 }
 
 TEST(PileSupport, LowestPointOfTurnedCubes) {
-    const std::vector<PileKind> kinds = kinds_of({cube()});
-    Pile pile(kinds);
-    Placed placed;
-    placed.pose.world_from_component = Imath::M33f(std::sqrt(0.5F), std::sqrt(0.5F), 0,
-                                                   -std::sqrt(0.5F), std::sqrt(0.5F), 0, 0, 0, 1);
+    const Bodies bodies = bodies_of({cube()});
+    PlacedBodies pile(bodies);
+    PlacedBody placed;
+    placed.pose.world_from_body = Imath::M33f(std::sqrt(0.5F), std::sqrt(0.5F), 0, -std::sqrt(0.5F),
+                                              std::sqrt(0.5F), 0, 0, 0, 1);
     pile.add(placed);
     EXPECT_NEAR(lowest_point(pile), -half * std::sqrt(2), 0.01 * half);
 }
 
+Vec3d mass_centre(const Mesh& mesh, double thickness) {
+    const BodyDraft draft = draft_body(std::make_shared<const Mesh>(mesh), thickness);
+    return Vec3d(draft.body->origin + mass_properties(*draft.body).centre);
+}
+
 TEST(PileSupport, MassCentreOfAConeAndOfTwoSquares) {
     const Vec3d cone = mass_centre(
-        component_mesh("cone", {{"radius", 0.01}, {"height", 0.03}, {"rounding", 0.0}}), true);
+        component_mesh("cone", {{"radius", 0.01}, {"height", 0.03}, {"rounding", 0.0}}), 0);
     EXPECT_NEAR(cone.y, 0.03 / 4, 2e-4);
     Mesh corner; // two squares of side 1 that meet along z: the mean of (0.5, 0) and (0, 0.5)
     corner.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}, {0, 1, 0}, {0, 1, 1}};
     corner.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {0, 5, 4}};
-    const Vec3d centre = mass_centre(corner, false);
+    const Vec3d centre = mass_centre(corner, 0.01);
     EXPECT_NEAR((centre - Vec3d(0.25, 0.25, 0.5)).length(), 0, 1e-6);
 }
 
@@ -170,8 +175,8 @@ TEST(PileSupport, ConvexHullAgainstEveryHalfPlane) {
         Random random(4, Purpose::test, i);
         std::vector<Vec2> points(1 + random.below(9));
         for (Vec2& p : points)
-            p = {random.below(7) - 3.0, random.below(7) - 3.0}; // many in line, many the same
-        // The origin is outside of the hull just where some direction has all points ahead.
+            p = {random.below(7) - 3.0, random.below(7) - 3.0}; // many of them collinear or equal
+        // The origin is outside of the hull if all points lie ahead of it in some direction.
         bool outside = false;
         for (int k = 0; k < 3600 && !outside; ++k) {
             const Vec2 d = rotate({1.0, 0.0}, 2 * pi * (k + 0.37) / 3600);
@@ -183,13 +188,13 @@ TEST(PileSupport, ConvexHullAgainstEveryHalfPlane) {
     }
 }
 
-/// A pile of cones and boxes, in which much is not held.
-Pile mixed_pile(const std::vector<PileKind>& kinds, double size) {
-    Pile pile(kinds);
+/// A pile of cones and boxes, many of which nothing holds up.
+PlacedBodies mixed_pile(const Bodies& bodies, double size) {
+    PlacedBodies pile(bodies);
     for (std::uint64_t i = 0; i < 60; ++i) {
         Random random(8, Purpose::test, i);
-        Placed placed;
-        placed.kind = static_cast<std::uint32_t>(i % 2);
+        PlacedBody placed;
+        placed.body = static_cast<std::uint32_t>(i % 2);
         for (int axis = 0; axis < 3; ++axis)
             placed.pose.centre[axis] = random.uniform(-size, size);
         const Vec3 turn(static_cast<float>(random.uniform(0, 6)),
@@ -197,14 +202,14 @@ Pile mixed_pile(const std::vector<PileKind>& kinds, double size) {
         const Matrix m = Matrix().setEulerAngles(turn);
         for (int row = 0; row < 3; ++row)
             for (int column = 0; column < 3; ++column)
-                placed.pose.world_from_component[row][column] = m[row][column];
+                placed.pose.world_from_body[row][column] = m[row][column];
         pile.add(placed);
     }
     return pile;
 }
 
-std::vector<PileKind> small_kinds() {
-    return kinds_of(
+Bodies small_bodies() {
+    return bodies_of(
         {component_mesh("cone", {{"radius", 0.0015},
                                  {"height", 0.004},
                                  {"rounding", 0.0},
@@ -213,25 +218,25 @@ std::vector<PileKind> small_kinds() {
              "box", {{"width", 0.003}, {"height", 0.002}, {"depth", 0.002}, {"rounding", 0.0}})});
 }
 
-// The gap between two placed meshes, negative where they overlap: of dense points of either in the
-// exact distance of the other.
-double gap_between(const Pile& pile, const Placed& a, const Placed& b) {
+// The gap between two placed meshes, negative if they overlap: the least exact distance to one of
+// dense points of the other.
+double gap_between(const PlacedBodies& pile, const PlacedBody& a, const PlacedBody& b) {
     double gap = 1;
     for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-        const PileComponent& own = pile.component(*from);
-        const PileComponent& other = pile.component(*to);
+        const Body& own = pile.body(*from);
+        const Body& other = pile.body(*to);
         const RelativePose there = relative(from->pose, to->pose);
         for (const Ball& sample : own.samples.balls())
-            gap = std::min(gap, tests::signed_distance(*other.prototype.mesh(),
+            gap = std::min(gap, tests::signed_distance(*other.mesh,
                                                        Vec3d(there(sample.centre) + other.origin)));
     }
     return gap;
 }
 
 TEST(PileSupport, ContactsAgainstExactDistances) {
-    const std::vector<PileKind> kinds = small_kinds();
-    const Pile pile = mixed_pile(kinds, 0.006);
-    Pile few(kinds);
+    const Bodies bodies = small_bodies();
+    const PlacedBodies pile = mixed_pile(bodies, 0.006);
+    PlacedBodies few(bodies);
     for (std::size_t i = 0; i < 20; ++i)
         few.add(pile.all[i]);
     constexpr double tolerance = 0.07;
@@ -243,11 +248,11 @@ TEST(PileSupport, ContactsAgainstExactDistances) {
         for (const Contact& contact : graph.contacts[i])
             found.insert(contact.other);
         for (std::uint32_t j = 0; j < i; ++j) {
-            const Placed& a = few.all[i];
-            const Placed& b = few.all[j];
-            const double radius = std::min(few.component(a).radius, few.component(b).radius);
+            const PlacedBody& a = few.all[i];
+            const PlacedBody& b = few.all[j];
+            const double radius = std::min(few.body(a).radius, few.body(b).radius);
             if ((a.pose.centre - b.pose.centre).length() >
-                few.component(a).reach + few.component(b).reach + radius) {
+                few.body(a).reach + few.body(b).reach + radius) {
                 EXPECT_EQ(found.count(j), 0U);
                 continue;
             }
@@ -263,12 +268,12 @@ TEST(PileSupport, ContactsAgainstExactDistances) {
 }
 
 TEST(PileSupport, TouchingTheTargetAgainstBalls) {
-    const std::vector<PileKind> kinds = kinds_of({ball()});
+    const Bodies bodies = bodies_of({ball()});
     const Mesh plane = component_mesh("plane", {});
     std::vector<Vec3d> centres;
     for (int i = 0; i < 100; ++i)
         centres.push_back({0.004 * i - 0.2, half * (-2 + 0.04 * i), 0.001 * i});
-    const std::vector<char> touching = touching_target(pile_at(kinds, centres), plane, 0.05);
+    const std::vector<char> touching = touching_target(pile_at(bodies, centres), plane, 0.05);
     for (std::size_t i = 0; i < centres.size(); ++i) {
         const double gap = std::abs(centres[i].y) - half;
         if (std::abs(gap - 0.05 * half) > 0.03 * half) {
@@ -278,8 +283,8 @@ TEST(PileSupport, TouchingTheTargetAgainstBalls) {
 }
 
 TEST(PileSupport, SameGraphOnAnyNumberOfThreads) {
-    const std::vector<PileKind> kinds = small_kinds();
-    const Pile pile = mixed_pile(kinds, 0.008);
+    const Bodies bodies = small_bodies();
+    const PlacedBodies pile = mixed_pile(bodies, 0.008);
     const Mesh target = component_mesh("sphere", {{"radius", 0.004}});
     std::vector<ContactGraph> graphs;
     for (const int threads : {1, 2, 5}) {
@@ -300,10 +305,10 @@ TEST(PileSupport, SameGraphOnAnyNumberOfThreads) {
 }
 
 TEST(PileSupport, RemovalLeavesNothingThatFalls) {
-    const std::vector<PileKind> kinds = small_kinds();
-    const Pile pile = mixed_pile(kinds, 0.008);
+    const Bodies bodies = small_bodies();
+    const PlacedBodies pile = mixed_pile(bodies, 0.008);
     const Support support = support_of(contact_graph(pile, {.floor = -0.008}));
-    Pile left(kinds);
+    PlacedBodies left(bodies);
     for (std::size_t i = 0; i < pile.all.size(); ++i)
         if (!support.falling[i])
             left.add(pile.all[i]);
@@ -324,7 +329,7 @@ TEST(PileSupport, ReportedAndRemovedByTheGenerator) {
     params.set("support", std::string("remove"));
     const Aggregate left = pile_plugin().make(params, {});
     EXPECT_EQ(tests::fact(left, "count"), tests::fact(all, "count") - tests::fact(all, "falling"));
-    // On a floor far below all float.
+    // With a floor far below, all components float.
     params.set("adhesive", false);
     params.set("floor", -1.0);
     EXPECT_EQ(pile_plugin().make(params, {}).instances.size(), 0U);

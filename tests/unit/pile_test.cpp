@@ -24,7 +24,7 @@ Mesh ball(double radius) { return component_mesh("sphere", {{"radius", radius}})
 
 Aggregate bake(Params params) { return pile_plugin().make(params, {}); }
 
-Params turned_anyhow(Params params) {
+Params turned_at_random(Params params) {
     params.set("rotation", Vec3(2 * pi_f));
     return params;
 }
@@ -35,7 +35,7 @@ Imath::V3d to_object(const Instance& instance, const Imath::V3d& p) {
 
 TEST(Pile, NoCubeIsDeepInAnother) {
     const Aggregate pile =
-        bake(turned_anyhow(tests::pile_params(ball(0.02), {tests::pile_component(cube())})));
+        bake(turned_at_random(tests::pile_params(ball(0.02), {tests::pile_component(cube())})));
     ASSERT_GT(pile.instances.size(), 60U);
     constexpr double half = 0.002; // which is the largest inner ball's radius
     double deepest = 0;
@@ -50,7 +50,7 @@ TEST(Pile, NoCubeIsDeepInAnother) {
                         p[face / 2] = face % 2 == 0 ? -half : half;
                         p[(face / 2 + 1) % 3] = half * (i / 20.0 - 1);
                         p[(face / 2 + 2) % 3] = half * (j / 20.0 - 1);
-                        p.y += half; // components stand on the ground
+                        p.y += half; // meshes stand on y = 0
                         Imath::V3d q = to_object(b, p * Imath::M44d(a.world_from_object));
                         q.y -= half;
                         deepest = std::max(deepest, half - std::max({std::abs(q.x), std::abs(q.y),
@@ -64,32 +64,18 @@ TEST(Pile, NoCubeIsDeepInAnother) {
 TEST(Pile, NoGrainIsDeepInAnother) {
     const Mesh mesh = rice();
     Params params = tests::pile_params(ball(0.006), {tests::pile_component(mesh)});
-    const Aggregate pile = bake(turned_anyhow(std::move(params)));
+    const Aggregate pile = bake(turned_at_random(std::move(params)));
     ASSERT_GT(pile.instances.size(), 15U);
-    const double radius = tests::prepared(mesh).radius;
-    const Box3 box = bounds(mesh);
-    double deepest = 0;
-    for (const Instance& a : pile.instances)
-        for (const Instance& b : pile.instances) {
-            if (&a == &b)
-                continue;
-            for (const Vec3& vertex : mesh.positions) {
-                const Imath::V3d p =
-                    to_object(b, Imath::V3d(vertex) * Imath::M44d(a.world_from_object));
-                if (box.intersects(Vec3(p)))
-                    deepest = std::max(deepest, -tests::signed_distance(mesh, p));
-            }
-        }
-    EXPECT_LE(deepest, 0.02 * radius);
+    EXPECT_LE(tests::deepest_vertex(pile, mesh), 0.02 * tests::body_of(mesh)->radius);
 }
 
 TEST(Pile, EachTouchesTheTargetOrAnother) {
     const std::vector<PileKind> kinds{kind_of(rice(), 3, 4)};
     const Mesh target = ball(0.02);
-    Pile pile(kinds);
+    PlacedBodies pile(bodies_of(kinds));
     const PileTurns turns{.kinds = kinds, .frame = PileFrame::surface, .seed = 3};
     pile_up(pile, target, turns, pile_sites(target, turns, {}), {}, 0.8, {});
-    const PileComponent& grain = kinds[0].component;
+    const Body& grain = *kinds[0].body;
     int high = 0;
     for (std::size_t i = 0; i < pile.all.size(); ++i) {
         if (pile.all[i].height == 0)
@@ -120,7 +106,8 @@ TEST(Pile, SameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(Pile, OverlapIsAllowedUpToT) {
-    Params params = turned_anyhow(tests::pile_params(ball(0.02), {tests::pile_component(rice())}));
+    Params params =
+        turned_at_random(tests::pile_params(ball(0.02), {tests::pile_component(rice())}));
     const Aggregate none = bake(params);
     params.set("overlap", 0.3);
     const Aggregate some = bake(params);
@@ -149,7 +136,7 @@ TEST(Pile, WeightsDecideHowManyOfEach) {
 
 TEST(Pile, MeasureSeesCoincidentComponents) {
     const std::vector<PileKind> kinds{kind_of(rice(), 3, 4)};
-    Pile pile(kinds);
+    PlacedBodies pile(bodies_of(kinds));
     pile.add({});
     pile.add({});
     const OverlapMeasure measure = measure_overlap(pile, 10, 400);
@@ -160,9 +147,9 @@ TEST(Pile, MeasureSeesCoincidentComponents) {
 
 TEST(Pile, MeasureOfTwoCubes) {
     const std::vector<PileKind> kinds{kind_of(cube(), 3, 4)};
-    Pile pile(kinds);
+    PlacedBodies pile(bodies_of(kinds));
     pile.add({});
-    Placed moved;
+    PlacedBody moved;
     moved.pose.centre = {0.003, 0, 0}; // a quarter of the volume, half a radius deep
     pile.add(moved);
     const OverlapMeasure measure = measure_overlap(pile, 10, 4000);
@@ -186,7 +173,7 @@ TEST(Pile, RaysAgainstEveryTriangle) {
         const Vec3 d = Vec3(direction).normalized();
         bool hit = false;
         for (const Mesh::Triangle& t : mesh.triangles) {
-            // The ray passes on the same side of all edges (Pluecker), towards the plane.
+            // The ray passes all edges on the same side (Pluecker) and leads towards the plane.
             std::array<Imath::V3d, 3> v;
             for (std::size_t k = 0; k < 3; ++k)
                 v[k] = Imath::V3d(mesh.positions[t[k]]) - origin;
@@ -208,19 +195,19 @@ TEST(Pile, RaysAgainstEveryTriangle) {
 TEST(Pile, CoverAgainstTheTrianglesThemselves) {
     const std::vector<PileKind> kinds{kind_of(rice(), 3, 4)};
     const Mesh target = ball(0.015);
-    Pile pile(kinds);
+    PlacedBodies pile(bodies_of(kinds));
     const PileTurns turns{.kinds = kinds, .frame = PileFrame::surface, .seed = 5};
     pile_up(pile, target, turns, pile_sites(target, turns, {}), {}, 0, {});
     Mesh all;
-    for (const Placed& placed : pile.all) {
-        Mesh one = *kinds[0].component.prototype.mesh();
+    for (const PlacedBody& placed : pile.all) {
+        Mesh one = *kinds[0].body->mesh;
         one.uvs.clear();
-        transform(one, world_from_object(placed.pose, kinds[0].component.origin));
+        transform(one, world_from_object(placed.pose, kinds[0].body->origin));
         append(all, one);
     }
     const MeshRays truth(all);
     const std::vector<OutsideRay> rays = outside_rays(target, 4000, 9, 0);
-    EXPECT_NEAR(double(rays.size()), 4000, 40); // a convex target hides nothing of itself
+    EXPECT_NEAR(double(rays.size()), 4000, 40); // a convex target does not hide itself
     std::size_t open = 0;
     for (const OutsideRay& ray : rays)
         open += !truth.hits(ray.origin, ray.direction, 0);
@@ -239,7 +226,7 @@ TEST(Pile, CoverGrowsUntilItIsReached) {
 
 TEST(Pile, SwallowedOriginIsHidden) {
     const std::vector<PileKind> kinds{kind_of(ball(0.01), 3, 4)};
-    Pile pile(kinds);
+    PlacedBodies pile(bodies_of(kinds));
     pile.add({});
     const OutsideRay within{{0, 0.005, 0}, {0, 1, 0}, {0, 1, 0}};
     const OutsideRay beside{{0.02, 0, 0}, {1, 0, 0}, {1, 0, 0}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/random.h"
+#include "generators/pile/pile_sites.h"
 #include "generators/pile/thesis_method.h"
 #include "geometry/bodies/corner_depth.h"
 #include "geometry/bodies/dependency_levels.h"
@@ -29,7 +30,7 @@ TEST(PileThesis, GoldenSectionFindsTheOnlyMinimum) {
 }
 
 TEST(PileThesis, GoldenSectionOfAJumpIsNoWorseThanEnds) {
-    // As eq. 4.1: dear while there is overlap, then as dear as far.
+    // As in eq. 4.1: a high cost while there is overlap, then a cost that grows with the height.
     const auto cost = [](double t) { return (t < 0.3 ? 1.3 - t : 0) + t; };
     const double found = golden_section(cost, 0, 1, 15);
     EXPECT_GE(found, 0.3);
@@ -64,7 +65,7 @@ TEST(PileThesis, DepthsInBallsAreThoseOfAllCorners) {
     const CornerDepth corners(grain.positions, 0.0002, 0.001);
     const Box3 box = bounds(grain);
     Random random(1, Purpose::test);
-    const auto coordinate = [&](int axis) { // to beyond where balls of this size reach
+    const auto coordinate = [&](int axis) { // farther out than balls of this size reach in
         return static_cast<float>(
             random.uniform(double(box.min[axis]) - 0.003, double(box.max[axis]) + 0.003));
     };
@@ -88,29 +89,28 @@ TEST(PileThesis, DepthsInBallsAreThoseOfAllCorners) {
     EXPECT_GT(inside, 500);
 }
 
-// Eq. 4.1 and 4.2 in their plainest form: all vertices, all balls, one
-// component after the other.
+// Eq. 4.1 and 4.2 by brute force: all vertices, all balls, one component after the other.
 struct Plain {
     std::span<const PileKind> kinds;
-    std::span<const PileSite> sites;
+    std::span<const BodySite> sites;
     std::vector<double> heights;
     std::vector<bool> gone;
     double overlap;
 
     double f(std::size_t i, double t) const {
-        const PileComponent& own = kinds[sites[i].kind].component;
+        const Body& own = *kinds[sites[i].body].body;
         double most = 0;
         const Pose pose = sites[i].at(t).pose;
-        for (const Vec3& vertex : own.prototype.mesh()->positions) {
+        for (const Vec3& vertex : own.mesh->positions) {
             const Imath::V3d x =
-                Imath::V3d((vertex - own.origin) * pose.world_from_component) + pose.centre;
+                Imath::V3d((vertex - own.origin) * pose.world_from_body) + pose.centre;
             for (std::size_t j = 0; j < sites.size(); ++j) {
                 if (j == i || gone[j])
                     continue;
                 const Pose other = sites[j].at(heights[j]).pose;
-                for (const Ball& ball : kinds[sites[j].kind].component.balls) {
+                for (const Ball& ball : kinds[sites[j].body].body->balls) {
                     const Imath::V3d p =
-                        Imath::V3d(ball.centre * other.world_from_component) + other.centre;
+                        Imath::V3d(ball.centre * other.world_from_body) + other.centre;
                     most = std::max(most, double(ball.radius) - (x - p).length());
                 }
             }
@@ -119,7 +119,7 @@ struct Plain {
     }
 
     void refine(std::size_t i) {
-        const double range = kinds[sites[i].kind].range();
+        const double range = kinds[sites[i].body].range();
         const auto cost = [&](double t) {
             const double h = f(i, t);
             return (h > 0 ? h + range : 0) + t;
@@ -132,24 +132,24 @@ TEST(PileThesis, RefinesAsTheEquationsSay) {
     const std::vector<PileKind> kinds{kind_of(cube(0.004), 1.2, 2)};
     const Mesh target = tests::component_mesh("sphere", {{"radius", 0.006}});
     const PileTurns turns{.kinds = kinds, .frame = PileFrame::surface, .seed = 1};
-    const std::vector<PileSite> sites = pile_sites(target, turns, {});
+    const std::vector<BodySite> sites = pile_sites(target, turns, {});
     ASSERT_GT(sites.size(), 10U);
     for (const double overlap : {0.0, 0.2}) {
         Plain plain{kinds, sites, std::vector<double>(sites.size(), 0.0),
                     std::vector<bool>(sites.size(), false), overlap};
         for (std::size_t i = 0; i < sites.size(); ++i)
             plain.refine(i);
-        Pile pile(kinds);
-        place_by_thesis(pile, sites, {.overlap = overlap, .removal = {}}, {});
+        PlacedBodies pile(bodies_of(kinds));
+        place_by_thesis(pile, kinds, sites, {.overlap = overlap, .removal = {}}, {});
         ASSERT_EQ(pile.all.size(), sites.size());
         for (std::size_t i = 0; i < sites.size(); ++i)
             EXPECT_NEAR(pile.all[i].height, plain.heights[i], 1e-3 * kinds[0].range());
 
-        // Removal, in the same order.
+        // Removal, one after the other in the same order.
         for (std::size_t i = 0; i < sites.size(); ++i)
-            plain.gone[i] = plain.f(i, plain.heights[i]) > 0.1 * kinds[0].component.radius;
-        Pile rest(kinds);
-        place_by_thesis(rest, sites, {.overlap = overlap, .removal = 0.1}, {});
+            plain.gone[i] = plain.f(i, plain.heights[i]) > 0.1 * kinds[0].body->radius;
+        PlacedBodies rest(bodies_of(kinds));
+        place_by_thesis(rest, kinds, sites, {.overlap = overlap, .removal = 0.1}, {});
         const auto left =
             static_cast<std::size_t>(std::count(plain.gone.begin(), plain.gone.end(), false));
         EXPECT_EQ(rest.all.size(), left);
@@ -162,18 +162,18 @@ TEST(PileThesis, SmallOnesNextToLargeOnesGo) {
     const std::vector<PileKind> kinds{kind_of(cube(0.002), 1, 2), kind_of(cube(0.01), 2, 1)};
     const Mesh target = tests::component_mesh("sphere", {{"radius", 0.03}});
     const PileTurns turns{.kinds = kinds, .frame = PileFrame::surface, .seed = 2};
-    const std::vector<PileSite> sites = pile_sites(target, turns, {});
+    const std::vector<BodySite> sites = pile_sites(target, turns, {});
     std::vector<Imath::V3d> expected;
-    for (const PileSite& site : sites) {
+    for (const BodySite& site : sites) {
         bool near = false;
-        for (const PileSite& large : sites)
+        for (const BodySite& large : sites)
             near = near ||
-                   (site.kind == 0 && large.kind == 1 &&
+                   (site.body == 0 && large.body == 1 &&
                     (site.position - large.position).length() <= kinds[1].distribution_radius());
         if (!near)
             expected.push_back(site.position);
     }
-    const std::vector<PileSite> merged = merge_large_to_small(kinds, sites);
+    const std::vector<BodySite> merged = merge_large_to_small(kinds, sites);
     ASSERT_EQ(merged.size(), expected.size());
     EXPECT_LT(merged.size(), sites.size());
     for (std::size_t i = 0; i < merged.size(); ++i)
@@ -184,11 +184,11 @@ TEST(PileThesis, SitesKeepTwoRadiiApart) {
     const std::vector<PileKind> kinds{kind_of(cube(0.004), 1, 2)};
     const Mesh target = tests::component_mesh("sphere", {{"radius", 0.02}});
     const PileTurns turns{.kinds = kinds, .frame = PileFrame::surface, .seed = 3};
-    const std::vector<PileSite> sites = pile_sites(target, turns, {});
+    const std::vector<BodySite> sites = pile_sites(target, turns, {});
     for (std::size_t i = 0; i < sites.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_GE((sites[i].position - sites[j].position).length(),
-                      kinds[0].component.radius * (1 - 1e-9)); // 2 r = R
+                      kinds[0].body->radius * (1 - 1e-9)); // 2 r = R
 }
 
 TEST(PileThesis, LeavesWhatItsMeasureDoesNotSee) {

@@ -14,6 +14,8 @@ namespace {
 
 using tests::component_mesh;
 
+Random stream(std::uint64_t index) { return {3, Purpose::test, index}; }
+
 Deformation some_deformation() {
     Deformation d;
     d.centre = {0.1F, -0.2F, 0.3F};
@@ -46,7 +48,8 @@ TEST(PileVariation, TwistTurnsTheEndsAgainstEachOther) {
     d.twist = pi / 2;
     const Vec3 low = d.point({-1, 1, 0});
     const Vec3 high = d.point({1, 1, 0});
-    EXPECT_NEAR(double(low.dot(high)), -1, 1e-6); // at right angles, and from x = -1 to 1
+    EXPECT_NEAR(double(low.dot(high)), -1,
+                1e-6); // -1 along the axis; across it they are at right angles
     EXPECT_NEAR(double(high.y), std::cos(pi / 4), 1e-6);
     EXPECT_NEAR(double(high.z), std::sin(pi / 4), 1e-6);
 }
@@ -68,7 +71,7 @@ TEST(PileVariation, NormalsArePerpendicularToDeformedSurfaces) {
         constexpr float h = 2e-3F;
         const Vec3 du = d.point(p + u * h) - d.point(p - u * h);
         const Vec3 dv = d.point(p + v * h) - d.point(p - v * h);
-        // u, v and n are right-handed or left-handed, alike before and after.
+        // The deformation keeps the handedness of u, v and n.
         const Vec3 expected = du.cross(dv).normalized() * (u.cross(v).dot(n) > 0 ? 1.0F : -1.0F);
         EXPECT_LT(double((d.normal(p, n) - expected).length()), 2e-3);
     }
@@ -78,7 +81,7 @@ TEST(PileVariation, StretchAndTwistKeepTheVolume) {
     const Mesh mesh = component_mesh("banana", {});
     const ShapeVariation variation{.shapes = 4, .twist = 1, .stretch = 0.3};
     for (std::uint32_t i = 0; i < 4; ++i)
-        EXPECT_NEAR(volume(varied_shape(mesh, variation, 5, i)) / volume(mesh), 1, 0.01);
+        EXPECT_NEAR(volume(varied_shape(mesh, variation, i, stream(i))) / volume(mesh), 1, 0.01);
 }
 
 TEST(PileVariation, ClosedStaysClosedAndPositive) {
@@ -87,12 +90,12 @@ TEST(PileVariation, ClosedStaysClosedAndPositive) {
     for (const std::string name : {"rice", "banana", "box", "gear", "torus"}) {
         const Mesh mesh = component_mesh(name, {});
         for (std::uint32_t i = 0; i < variation.shapes; ++i) {
-            const Mesh shape = varied_shape(mesh, variation, 7, i);
+            const Mesh shape = varied_shape(mesh, variation, i, stream(i));
             EXPECT_TRUE(inspect(shape).closed()) << name;
             EXPECT_GT(volume(shape), 0.3 * volume(mesh)) << name;
             EXPECT_LT(volume(shape), 2.4 * volume(mesh)) << name;
             if (name == "box")
-                continue; // its large triangles cannot follow
+                continue; // its triangles are too large to follow the deformation
             for (const Mesh::Triangle& t : shape.triangles) {
                 const Vec3& a = shape.positions[t[0]];
                 const Vec3 n = (shape.positions[t[1]] - a).cross(shape.positions[t[2]] - a);
@@ -112,7 +115,8 @@ TEST(PileVariation, SizesAreSpreadEvenly) {
     const ShapeVariation variation{.shapes = 5, .scale = {0.5, 1.5}};
     const double before = std::cbrt(volume(mesh));
     for (std::uint32_t i = 0; i < 5; ++i) {
-        const double scale = std::cbrt(volume(varied_shape(mesh, variation, 3, i))) / before;
+        const double scale =
+            std::cbrt(volume(varied_shape(mesh, variation, i, stream(i)))) / before;
         EXPECT_GE(scale, 0.5 + 0.2 * i - 1e-4);
         EXPECT_LE(scale, 0.7 + 0.2 * i + 1e-4);
     }
@@ -120,11 +124,11 @@ TEST(PileVariation, SizesAreSpreadEvenly) {
 
 TEST(PileVariation, WhatWouldFoldIsAnError) {
     const ShapeVariation variation{.shapes = 2, .bend = 2.5};
-    EXPECT_THROW(varied_shape(component_mesh("box", {}), variation, 0, 0), Error);
-    EXPECT_NO_THROW(varied_shape(component_mesh("rice", {}), variation, 0, 0));
+    EXPECT_THROW(varied_shape(component_mesh("box", {}), variation, 0, stream(0)), Error);
+    EXPECT_NO_THROW(varied_shape(component_mesh("rice", {}), variation, 0, stream(0)));
 }
 
-Aggregate varied_pile(int shapes) {
+Params varied_rice(int shapes) {
     Params rice = tests::pile_component(component_mesh("rice", {}));
     Params variation("generator.pile.components[1].variation", {"scene.lua", 21});
     variation.set("shapes", std::int64_t{shapes});
@@ -133,8 +137,12 @@ Aggregate varied_pile(int shapes) {
     variation.set("stretch", 0.1);
     variation.set("scale", Range{0.9, 1.1});
     rice.set("variation", std::make_shared<const std::vector<Params>>(1, variation));
+    return rice;
+}
+
+Aggregate varied_pile(int shapes) {
     Params params =
-        tests::pile_params(component_mesh("sphere", {{"radius", 0.012}}), {std::move(rice)});
+        tests::pile_params(component_mesh("sphere", {{"radius", 0.012}}), {varied_rice(shapes)});
     params.set("rotation", Vec3(2 * pi_f));
     return pile_plugin().make(params, {});
 }
@@ -149,6 +157,24 @@ TEST(PileVariation, APileOfAllShapesThatHardlyOverlap) {
     EXPECT_EQ(used.size(), 5U);
     EXPECT_LE(tests::fact(pile, "depth_max"), 0.02);
     EXPECT_GT(tests::fact(pile, "count"), 50);
+}
+
+// Neither components of one pile nor piles of different seeds have shapes in common.
+TEST(PileVariation, ShapesDependOnComponentAndSeed) {
+    constexpr int shapes = 8;
+    const auto prototypes = [](std::int64_t seed) {
+        Params params = tests::pile_params(component_mesh("sphere", {{"radius", 0.005}}),
+                                           {varied_rice(shapes), varied_rice(shapes)});
+        params.set("seed", seed);
+        params.set("measure", std::int64_t{0});
+        return pile_plugin().make(params, {}).prototypes;
+    };
+    std::set<float> seen; // where the first vertex lies
+    for (const std::int64_t seed : {0, 1, shapes})
+        for (const Prototype& prototype : prototypes(seed))
+            EXPECT_TRUE(seen.insert(prototype.mesh()->positions.front().x).second)
+                << seed << " " << prototype.name;
+    EXPECT_EQ(seen.size(), 3U * 2 * shapes);
 }
 
 TEST(PileVariation, SameShapesOnAnyNumberOfThreads) {

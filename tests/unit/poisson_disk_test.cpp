@@ -17,7 +17,7 @@ namespace {
 /// apart: 0.5470735(28) (Torquato, Uche & Stillinger 2006; Zhang & Torquato 2013: 0.547067(3)).
 constexpr double saturation = 0.54707;
 
-/// Mean of numbers and its standard error, from their own variance.
+/// Mean of numbers and its standard error, estimated from their variance.
 struct Mean {
     double value = 0;
     double error = 0;
@@ -144,8 +144,8 @@ TEST(PoissonDisk, OnAStripIsTheParkingProblem) {
     EXPECT_LT(mean_of(many).error, 3);
 }
 
-/// Where there is room for one, it lies anywhere, and is of a class with a probability in
-/// proportion to the square of the area that its samples take.
+/// Where there is room for one sample only, it is uniformly distributed, and the probability of its
+/// class is in proportion to the square of the area of the class's ellipse.
 TEST(PoissonDisk, ASampleAloneLiesAnywhere) {
     // An L of three unit squares, which a grid cuts anyhow; all of it lies within the distances.
     constexpr double s = 0.1;
@@ -179,7 +179,7 @@ TEST(PoissonDisk, ASampleAloneLiesAnywhere) {
     EXPECT_LT(chi_square_excess(turns), 5);
 }
 
-/// Slivers that are cut back to what they were before they were split would never end.
+/// Splitting slivers would never end if cutting restored the parts from before the split.
 TEST(PoissonDisk, LongEllipsesInAWhirlComeToAnEnd) {
     PoissonDiskProblem problem;
     problem.domain = square_domain(1);

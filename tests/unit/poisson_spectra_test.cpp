@@ -49,7 +49,8 @@ std::vector<std::vector<DiskSample>> ten_sets(PoissonDiskProblem problem) {
     return out;
 }
 
-/// Mean power over frequencies [1 / mean spacing], each annulus by how many it holds.
+/// Mean power over frequencies [1 / mean spacing]; each annulus counts by its number of
+/// frequencies.
 double mean_power(const Spectrum& spectrum, double low, double high) {
     double sum = 0;
     double count = 0;
@@ -63,7 +64,8 @@ double mean_power(const Spectrum& spectrum, double low, double high) {
     return sum / count;
 }
 
-/// The middle of what is within 5% of the highest power: noise moves the highest itself.
+/// The middle of the frequencies whose power is within 5% of the highest: more stable than the
+/// highest itself.
 double first_peak(const Spectrum& spectrum) {
     const double highest = *std::ranges::max_element(spectrum.radial.power);
     double sum = 0;
@@ -84,7 +86,7 @@ void expect_flat_anisotropy(const Spectrum& spectrum) {
     double count = 0;
     for (std::size_t k = 0; k < spectrum.radial.power.size(); ++k) {
         const double n = double(spectrum.radial.count[k]);
-        if (n < 20) // so few that the estimate's own distribution is far from normal
+        if (n < 20) // the estimate is then far from normally distributed
             continue;
         const double ratio = sets * std::pow(10, spectrum.radial.anisotropy_db[k] / 10);
         // 0.15: the power changes over the width of an annulus.
@@ -143,8 +145,8 @@ TEST(PoissonSpectra, OfClassesAreBlueEachAndTogether) {
             const Spectrum spectrum = spectrum_of(all, k);
             const std::string name = std::to_string(relax) + "_" + std::to_string(k);
             RecordProperty("low_power_" + name, std::to_string(low_power(spectrum)));
-            // As darts fall each class is kept from being even by the others, and all by the
-            // distances of each: 0.13 to 0.26, where one class alone has 0.07.
+            // Without relaxation the classes disturb each other: 0.13 to 0.26, where a single class
+            // has 0.07.
             EXPECT_LT(low_power(spectrum), relax > 0 ? 0.1 : 0.3) << name;
             EXPECT_GT(first_peak(spectrum), 0.9) << name;
             if (relax == 0)

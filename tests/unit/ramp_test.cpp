@@ -63,7 +63,7 @@ TEST(Ramp, FilterIsTheMeanOverThePixel) {
         }
 }
 
-TEST(Ramp, InstancesHaveMixturesOfTheirOwn) {
+TEST(Ramp, InstancesHaveIndividualMixtures) {
     Params both = stop(0, red);
     both.set("other", blue);
     const auto colors = ramp({both});

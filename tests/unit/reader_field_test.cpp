@@ -34,7 +34,7 @@ class ReaderField : public testing::Test {
         return run_script(path, options);
     }
 
-    /// The field `f` of the table that the script returns, with the limits of a scale.
+    /// The field `f` of the table that the script returns, checked with the limits of a scale.
     std::shared_ptr<const Field> field(const DescriptionNode& node) {
         const std::vector<ParamSpec> specs{{.name = "f",
                                             .type = ParamType::field,
@@ -50,7 +50,7 @@ class ReaderField : public testing::Test {
         return field_of(params, "f");
     }
 
-    /// The message of what is wrong with the script or its field, without the folder.
+    /// The error message for the script or its field, without the folder.
     std::string error_of(const std::string& script) {
         try {
             field(run(script));
@@ -90,7 +90,7 @@ TEST_F(ReaderField, ValuesOfFieldsKeepTheLimits) {
               "scene.lua:2: field.gradient.to: is the same point as from: {0, 0}");
     EXPECT_EQ(error_of("return { f = field.wirl {} }"),
               "scene.lua:1: field.wirl: unknown field\n  did you mean field.whirl?");
-    // A direction has no limits but its turn.
+    // The limits do not apply to directions.
     EXPECT_EQ(field(run("return { f = field.whirl { turn = 0 } }"))->at({-1, 0}), 180);
 }
 
@@ -99,7 +99,8 @@ TEST_F(ReaderField, FunctionsAreSampled) {
                                 "value = function(x, z) return 30 + x + 10 * z end,\n"
                                 "width = 2, depth = 4, resolution = 5 } }"));
     for (const Vec2& p : {Vec2(0, 0), Vec2(-1, 0.3), Vec2(0.77, -0.4), Vec2(1, 0.123)})
-        EXPECT_NEAR(made->at(p), 30 + p.x + 10 * p.y, 1e-5); // bilinear: exact but for rounding
+        EXPECT_NEAR(made->at(p), 30 + p.x + 10 * p.y,
+                    1e-5); // linear functions are exact up to rounding
     EXPECT_NEAR(made->at({9, 0.5}), 36, 1e-5);
     const auto torus = field(run("return { f = field.function { torus = true, centre = {1, 0},\n"
                                  "value = function(x, z) return 2 + math.sin(math.pi * x) end,\n"
@@ -116,7 +117,7 @@ TEST_F(ReaderField, FunctionCanBeWrittenInEveryWay) {
           "local f = field . function\nreturn { f = f(" + table + ") }",
           "local function make() return field.function" + table + " end\nreturn { f = make() }"})
         EXPECT_EQ(field(run(script))->at({0, 0}), 2) << script;
-    // Elsewhere the word keeps its meaning, in texts and comments nothing changes.
+    // Elsewhere the keyword is unchanged, as are strings and comments.
     EXPECT_EQ(field(run("-- field.function\nlocal t = 'field.function'\n"
                         "local f = function() return #t end return { f = f() }"))
                   ->at({0, 0}),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON there and back, and deterministic mutations that may fail only with an Error.
+// Round trips through JSON, and deterministic mutations, which may fail only with an Error.
 #include "core/file.h"
 #include "scenes/reader/json.h"
 #include "scenes/reader/lua_lexer.h"
@@ -78,7 +78,7 @@ TEST(ReaderJson, OddValuesReadBack) {
     EXPECT_EQ(to_json(*description_from_json(json, "a.json"), style), json);
 }
 
-TEST(ReaderJson, HashIgnoresWhereLinesStand) {
+TEST(ReaderJson, HashIgnoresLineNumbers) {
     const std::string file = temporary("moved.lua");
     write_file(file, "-- a comment\n\n" + std::string(script));
     EXPECT_EQ(resolved(run_script(file, script_options())).scene.hash,
@@ -86,7 +86,7 @@ TEST(ReaderJson, HashIgnoresWhereLinesStand) {
     fs::remove(file);
 }
 
-TEST(ReaderJson, ResolveMakesSharedThingsOnce) {
+TEST(ReaderJson, ResolveMakesSharedObjectsOnce) {
     const SceneDraft draft = resolved(described());
     ASSERT_EQ(draft.items.size(), 5U);
     const Prototype first = draft.items[0]->bake({}, 0).prototypes[0];
@@ -98,7 +98,7 @@ TEST(ReaderJson, ResolveMakesSharedThingsOnce) {
     EXPECT_EQ(draft.scene.lights.size(), 2U);
 }
 
-// One to four small changes: a byte changed, dropped, doubled, or a piece moved.
+// One to four small mutations: a byte changed, removed or doubled, or a piece moved.
 std::string mutated(std::string text, std::mt19937& random) {
     const auto below = [&](std::size_t n) { return random() % std::max<std::size_t>(n, 1); };
     const std::string bytes = "{}[]\",:=()-.0129eE$\\\n\xff\x00azk";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scripts: what they return, the lines of their fields, and that they cannot leave the sandbox.
+// Scripts: their results, the lines of their fields, and that they cannot escape the sandbox.
 #include "scenes/reader/json.h"
 #include "scenes/reader/scene.h"
 #include "scenes/reader/script.h"
@@ -177,7 +177,7 @@ TEST_F(ReaderScript, NothingLeadsOutOfTheSandbox) {
         EXPECT_NE(error_of(script), "") << script;
 }
 
-TEST_F(ReaderScript, LimitsHoldThroughEveryCatch) {
+TEST_F(ReaderScript, LimitsCannotBeCaught) {
     const char* time = "ran for more than 1 s";
     const char* memory = "more than 32 MiB";
     EXPECT_NE(error_of("while true do pcall(function() while true do end end) end").find(time),

@@ -4,6 +4,7 @@
 #include "geometry/plane/region_shapes.h"
 #include "geometry/plane/region_tools.h"
 #include "shapes/table.h"
+#include "tests/support/errors.h"
 #include "tests/support/layout_params.h"
 
 #include <gtest/gtest.h>
@@ -14,15 +15,6 @@
 namespace scree {
 
 namespace {
-
-std::string message_of(const auto& work) {
-    try {
-        work();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
 
 Ring moved(Ring ring, const Vec2& by) {
     for (Vec2& v : ring)
@@ -46,8 +38,8 @@ double triangle_area(const Region& region) {
     return sum;
 }
 
-TEST(Triangulate, TurnsRingsAndCutsHoles) {
-    // An island in a hole in a square, every ring in the wrong direction.
+TEST(Triangulate, OrientsRingsAndCutsHoles) {
+    // An island in a hole in a square, with every ring in the wrong orientation.
     const Region region = triangulate(
         {reversed(rectangle_ring(4, 4)), rectangle_ring(2, 2), reversed(rectangle_ring(1, 1))});
     EXPECT_NEAR(signed_area(region.rings[0]), 16, 1e-12);
@@ -65,34 +57,35 @@ TEST(Triangulate, DropsRepeatedPoints) {
 
 TEST(Triangulate, NamesWhatIsWrong) {
     const double nan = std::nan("");
-    EXPECT_EQ(message_of([] { triangulate({}); }), "a region needs at least one ring of points");
-    EXPECT_EQ(message_of([&] {
+    EXPECT_EQ(tests::error_of([] { triangulate({}); }),
+              "a region needs at least one ring of points");
+    EXPECT_EQ(tests::error_of([&] {
                   triangulate({{{0, 0}, {1, nan}, {1, 1}}});
               }),
               "point 1 of ring 0 is not finite: (1, nan)");
-    EXPECT_EQ(message_of([] {
+    EXPECT_EQ(tests::error_of([] {
                   triangulate({{{0, 0}, {1, 0}, {0, 0}}});
               }),
               "ring 0 has 2 different points in a row, a region needs at least 3");
-    EXPECT_EQ(message_of([] {
+    EXPECT_EQ(tests::error_of([] {
                   triangulate({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}});
               }),
               "edge 0 of ring 0, from (0, 0) to (2, 2) crosses or touches edge 2 of ring 0, from "
               "(2, 0) to (0, 2)");
-    EXPECT_EQ(message_of([] {
+    EXPECT_EQ(tests::error_of([] {
                   triangulate({{{0, 0}, {2, 0}, {1, 0}}});
               }),
               "edge 0 of ring 0, from (0, 0) to (2, 0) crosses or touches edge 2 of ring 0, from "
               "(1, 0) to (0, 0)");
-    // Touching in a single point, exactly on an edge.
-    EXPECT_EQ(message_of([] {
+    // Touching at a single point, exactly on an edge.
+    EXPECT_EQ(tests::error_of([] {
                   triangulate({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 0}, {3, 1}, {1, 1}}});
               }),
               "edge 0 of ring 0, from (0, 0) to (4, 0) crosses or touches edge 2 of ring 1, from "
               "(1, 1) to (2, 0)");
 }
 
-/// Distance to the region's points (0 inside).
+/// Distance to the region; 0 inside.
 double outside_distance(const Region& region, const Vec2& p) {
     return std::max(0.0, signed_distance(region, p));
 }
@@ -140,7 +133,7 @@ TEST(Offset, ShrinksByTheMarginWithinItsBound) {
 TEST(Offset, GrowingClosesAHoleAndShrinkingParts) {
     const Region ring = triangulate({circle_ring(1, 40), circle_ring(0.1, 20)});
     EXPECT_EQ(offset(ring, 0.12).rings.size(), 1U);
-    // Several at once, large and small; the same as parts that vanish.
+    // Several holes at once, large and small; and the same rings as parts that vanish.
     std::vector<Ring> rings{rectangle_ring(4, 4)}, parts;
     for (int i = 0; i < 7; ++i) {
         Ring square = rectangle_ring(i % 3 == 0 ? 0.5 : 0.1, 0.5);
@@ -165,11 +158,11 @@ TEST(Offset, GrowingClosesAHoleAndShrinkingParts) {
                                           {1, 1},
                                           {0, 1}}});
     EXPECT_EQ(offset(dumbbell, -0.15).rings.size(), 2U);
-    EXPECT_EQ(message_of([&] { offset(dumbbell, -0.6); }),
+    EXPECT_EQ(tests::error_of([&] { offset(dumbbell, -0.6); }),
               "a margin of -0.6 m leaves nothing of the region");
 }
 
-/// A dense mesh whose projection is known: a wavy ring sheet with a hole.
+/// A dense mesh with a known projection: a wavy annulus.
 Mesh wavy_ring(int around, int across) {
     Mesh mesh;
     mesh.name = "wavy ring";
@@ -237,15 +230,15 @@ TEST(Silhouette, OfABoxIsItsRectangle) {
 TEST(Silhouette, RefusesWhatHasNone) {
     Mesh mesh;
     mesh.name = "nothing";
-    EXPECT_EQ(message_of([&] { silhouette(mesh); }),
+    EXPECT_EQ(tests::error_of([&] { silhouette(mesh); }),
               "nothing has no triangles, so it has no silhouette");
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.triangles = {{0, 1, 2}};
     mesh.name = "wall";
-    EXPECT_EQ(message_of([&] { silhouette(mesh); }),
+    EXPECT_EQ(tests::error_of([&] { silhouette(mesh); }),
               "wall stands on edge: its projection onto the ground, 1 x 0 m, has no area");
     mesh.positions[1].x = std::numeric_limits<float>::infinity();
-    EXPECT_EQ(message_of([&] { silhouette(mesh); }), "vertex 1 of wall is not finite");
+    EXPECT_EQ(tests::error_of([&] { silhouette(mesh); }), "vertex 1 of wall is not finite");
 }
 
 TEST(SimplifyOutward, OnlyGrowsAndOnlyByTheTolerance) {
@@ -291,7 +284,7 @@ TEST(RegionTable, MakesWhatItSays) {
 
 TEST(RegionTable, LocatesMistakes) {
     const Ring square = rectangle_ring(2, 2);
-    EXPECT_EQ(message_of([&] {
+    EXPECT_EQ(tests::error_of([&] {
                   make("polygon", {{"points", Ring{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}});
               }),
               "scene.lua:30: region.polygon.points: edge 0 of ring 0, from (0, 0) to (2, 2) "
@@ -299,12 +292,12 @@ TEST(RegionTable, LocatesMistakes) {
     Params hole("region.polygon.holes[1]", {"scene.lua", 40});
     hole.set("points", moved(rectangle_ring(1, 1), {5, 0}), {"scene.lua", 41});
     const auto holes = std::make_shared<const std::vector<Params>>(std::vector<Params>{hole});
-    EXPECT_EQ(message_of([&] {
+    EXPECT_EQ(tests::error_of([&] {
                   make("polygon", {{"points", square}, {"holes", holes}});
               }),
               "scene.lua:41: region.polygon.holes[1].points: the hole at (4.5, -0.5) lies outside "
               "the polygon");
-    EXPECT_EQ(message_of([&] {
+    EXPECT_EQ(tests::error_of([&] {
                   make("u", {{"size", 1.0}, {"stroke", 0.5}});
               }),
               "scene.lua:31: region.u.stroke: 0.5 m is too wide for a size of 1 m: it must be less "

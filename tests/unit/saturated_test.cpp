@@ -33,8 +33,8 @@ bool contains(const std::vector<Ring>& rings, const Vec2& p) {
     return scree::contains({.rings = rings, .vertices = {}, .triangles = {}}, p);
 }
 
-/// Distance of two outlines by all pairs of edges, 0 where they cross; `enough` or less where that
-/// is all that is asked.
+/// Distance of two outlines by all pairs of edges, 0 where they cross. Ends early with some
+/// distance below `enough` once there is one.
 double outline_distance(const std::vector<Ring>& a, const std::vector<Ring>& b, double enough) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Ring& ra : a)
@@ -58,7 +58,7 @@ double distance(const std::vector<Ring>& a, const std::vector<Ring>& b, double e
     return contains(a, b[0][0]) || contains(b, a[0][0]) ? 0 : outline_distance(a, b, enough);
 }
 
-/// All that stands in the way, with images on a torus.
+/// All placed elements, on a torus with their images.
 class Scene {
   public:
     Scene(const LayoutProblem& problem, const std::vector<Dart>& darts) : problem_(problem) {
@@ -116,7 +116,7 @@ class Scene {
     std::vector<Obstacle> obstacles_;
 };
 
-/// Draws of a component: where, how turned and scaled within the problem's ranges.
+/// Random poses of a component within the problem's ranges.
 struct Draw {
     Vec2 position;
     double turn, scale;
@@ -160,7 +160,7 @@ double most_room(const LayoutProblem& problem, const Scene& scene, std::uint32_t
                             problem.dart(component, d.position, d.turn, d.scale));
                     };
                     double best = room(draw);
-                    // Climbing from a pose that is nearly free finds what the grid steps over.
+                    // Climbing from a pose that is nearly free finds maxima between grid points.
                     for (int i = 0; best > 0 && i < 60; ++i) {
                         const double step = 0.02 * std::exp2(-i / 10.0);
                         const Draw next = moved(problem, draw, step, random);
@@ -298,7 +298,7 @@ TEST(Saturated, FindsASpotThatWasEmptied) {
     for (std::size_t i = 0; i < filled.darts.size(); ++i) {
         std::vector<Dart> rest = filled.darts;
         rest.erase(rest.begin() + std::ptrdiff_t(i));
-        // Without random darts: the search alone must see it.
+        // Without random darts: the search alone must find the room.
         Placements placements(problem);
         for (const Dart& dart : rest)
             placements.place(dart);

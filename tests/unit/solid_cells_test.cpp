@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for seeds against all seeds around, and the constants that were measured.
+// The search for seeds against brute force, and the measured constants.
 #include "core/random.h"
-#include "procedurals/solid/cells/cells_shapes_text.h"
+#include "procedurals/solid/cells/beds_as_cpp.h"
+#include "procedurals/solid/cells/creases_as_cpp.h"
+#include "procedurals/solid/cells/spots_as_cpp.h"
 
 #include <gtest/gtest.h>
 
@@ -23,14 +25,13 @@ CellView view_at(float x, float y, float z) {
     return view;
 }
 
-/// Everything within 7 x 7 x 7 cubes, each asked for by itself.
+/// All seeds in 7 x 7 x 7 cubes, each found separately.
 std::vector<solid::Seed> all_seeds(const CellView& view, float jitter) {
     std::vector<solid::Seed> found;
     for (int z = -3; z <= 3; ++z)
         for (int y = -3; y <= 3; ++y)
             for (int x = -3; x <= 3; ++x) {
-                // From the middle of a cube its own seed is the only one within half its width, or
-                // the nearest of few: the one whose place lies in this cube.
+                // A search from the middle of a cube finds its seed: the one that lies in the cube.
                 CellView there = view;
                 const float cx = std::floor(view.place.x) + float(x) + 0.5F,
                             cy = std::floor(view.place.y) + float(y) + 0.5F,
@@ -59,7 +60,7 @@ void expect_search_is_exact(float x, float y, float z, float jitter) {
     ASSERT_EQ(all.size(), 343U);
     const float f1 = std::sqrt(solid::far_square(all[0])),
                 f2 = std::sqrt(solid::far_square(all[1]));
-    // As far as asked for, all are found: the second too.
+    // All seeds within the requested margin are found.
     Seeds seeds;
     solid::gather_seeds(view, jitter, CELLS_REACH, 0.5F * (f2 - f1) + 1e-4F, 0, &seeds);
     ASSERT_GE(seeds.count, 2);
@@ -109,7 +110,7 @@ TEST(SolidCells, ListsAreLongEnough) {
                             1, CELLS_REACH, 10, 0, &seeds);
         most = std::max(most, seeds.count);
     }
-    EXPECT_LT(most, CELLS_MOST);
+    EXPECT_LT(most, CELLS_MAX_SEEDS);
 }
 
 TEST(SolidCells, MeansOfCreasesAreAsMeasured) {
@@ -124,7 +125,7 @@ TEST(SolidCells, MeansOfCreasesAreAsMeasured) {
                                                                   float(random.uniform(0, 500))),
                                                           1, softness, &seeds);
             mean += double(crease.value) / places;
-            slope += double(solid::inner(crease.slope, crease.slope)) / places;
+            slope += double(solid::dot3(crease.slope, crease.slope)) / places;
             EXPECT_EQ(crease.lost, 0);
         }
         EXPECT_NEAR(double(solid::crease_mean(softness)) / mean, 1, 0.05) << softness;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same text on the host and on an OpenCL device.
+// Kernels on the host and on an OpenCL device.
 #include "core/device.h"
 #include "core/random.h"
 #include "procedurals/table.h"
@@ -27,7 +27,8 @@ std::vector<ShadingPoint> scattered_points(std::size_t count, float extent) {
             point.position[k] = extent * float(random.uniform(-1, 1));
             point.across[k] = float(random.uniform(-1, 1));
         }
-        // Filters from far below a cell to beyond the lattice, every fourth a point.
+        // Filters from much smaller than a cell to larger than the lattice; every fourth is a
+        // point.
         const float width =
             random.below(4) == 0 ? 0 : float(1e-5 * std::pow(10, random.uniform(0, 4.5)));
         const Vec3 helper = point.across.cross(Vec3(0.3F, 0.5F, 0.7F)).normalized();
@@ -53,8 +54,8 @@ void expect_device_agrees(const std::string& name, const Values& values) {
         if (!(difference(host[i], device[i]) < 1e-4))
             ++far;
     }
-    // Where the last bit of a device's sine or exponential decides on which side of a year's end or
-    // a vessel's edge an unfiltered point lies, the answers may part.
+    // The last bit of a sine or exponential may decide on which side of a ring's end or a vessel's
+    // edge an unfiltered point lies.
     EXPECT_LE(far, points.size() / 1000) << name;
 }
 
@@ -80,8 +81,8 @@ TEST(SolidDevice, AgreesOnOtherLattices) {
     expect_device_agrees("wood", {{"levels", std::int64_t{3}}, {"detail", std::int64_t{7}}});
 }
 
-TEST(SolidDevice, HasNoNumberThatIsNone) {
-    // Anywhere, through any filter, the answer is a number and colours are those of a surface.
+TEST(SolidDevice, NeverGivesNaN) {
+    // At any place and with any filter, values are finite and colours are reflectances.
     for (const char* name : {"marble", "wood"})
         for (const bool repeats : {true, false}) {
             const auto procedural = tests::make(procedural_table(), name, {{"repeats", repeats}});

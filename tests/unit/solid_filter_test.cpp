@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the filters answer against the mean of 4096 points within the filter.
+// Filtered values against the mean of 4096 points within the filter.
 #include "core/random.h"
 #include "procedurals/table.h"
 #include "tests/support/plugin_params.h"
@@ -15,7 +15,8 @@ namespace {
 
 using Values = std::map<std::string, Value>;
 
-/// Root mean square errors over places and turns of filters `width` wide, drawn out by `slant`.
+/// Root mean square errors over random places and orientations of filters of a `width`, elongated
+/// by `slant`.
 struct Errors {
     double point = 0;
     double filtered = 0;
@@ -76,7 +77,7 @@ Errors errors(const std::string& name, Values values, Pick pick, double width, d
 double value_of(const ShadingSample& sample) { return double(sample.value); }
 double green_of(const ShadingSample& sample) { return double(sample.color.y); }
 
-/// One kind's errors at several widths, in cells of the paper's lattice, and slants.
+/// Checks the errors of a texture at several widths, in cells of the paper's lattice, and slants.
 void expect_good_filter(const std::string& name, const std::string& preset, double best_ratio,
                         Pick pick = value_of) {
     double point = 0, filtered = 0, bias = 0;

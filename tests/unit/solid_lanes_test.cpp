@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Textures of several points, one in each lane of a vector, against the same points one by one.
+// Evaluation of several points, one in each lane of a vector, against the same points one by one.
 #include "core/random.h"
 #include "procedurals/solid/lattice/vector_path.h"
 #include "procedurals/table.h"
@@ -17,7 +17,7 @@ namespace {
 
 using Values = std::map<std::string, Value>;
 
-/// Filters of all widths, some drawn out, and now and then none.
+/// Filters of all widths, some of them elongated, and some points.
 std::vector<ShadingPoint> filters(std::size_t count, double extent) {
     Random random(41, Purpose::test);
     const auto direction = [&] {
@@ -43,7 +43,7 @@ std::vector<ShadingPoint> filters(std::size_t count, double extent) {
 }
 
 std::array<std::uint32_t, 9> bits(const ShadingSample& s) {
-    const auto of = [](float v) { return std::bit_cast<std::uint32_t>(v + 0.0F); }; // -0 is 0
+    const auto of = [](float v) { return std::bit_cast<std::uint32_t>(v + 0.0F); }; // -0 to 0
     return {of(s.color.x), of(s.color.y), of(s.color.z),   of(s.slope.x), of(s.slope.y),
             of(s.slope.z), of(s.height),  of(s.roughness), of(s.value)};
 }
@@ -60,7 +60,7 @@ void expect_same_in_lanes(const std::string& name, const Values& values) {
     for (const std::string& path : vector_paths()) {
         const UseVectorPath use(path);
         std::vector<ShadingSample> together(points.size());
-        // Groups of 1 to 21 points: none, some or all of a vector's lanes, and several vectors.
+        // Groups of 1 to 21 points: some or all lanes of a vector, and several vectors.
         for (std::size_t first = 0, size = 1; first < points.size(); first += size) {
             size = std::min(first % 21 + 1, points.size() - first);
             procedural->evaluate({&points[first], size}, {&together[first], size});
@@ -78,7 +78,7 @@ TEST(SolidLanes, MarbleIsTheSameBitForBit) {
                 expect_same_in_lanes("marble", {{"preset", Value(preset)}, {"size", Value(0.3)}});
 }
 
-TEST(SolidLanes, MarbleIsTheSameWithWhateverItHas) {
+TEST(SolidLanes, MarbleIsTheSameWithAllParameters) {
     const auto with = [](Values values) {
         values["preset"] = Value(std::string("verde_alpi"));
         expect_same_in_lanes("marble", values);
@@ -91,12 +91,12 @@ TEST(SolidLanes, MarbleIsTheSameWithWhateverItHas) {
     with({{"filtered", Value(false)}});
     with({{"levels", Value(std::int64_t{8})}});
     with({{"detail", Value(std::int64_t{0})}});
-    Params vein("vein", {"scene.lua", 8}); // alone: the stone does not repeat along the axis
+    Params vein("vein", {"scene.lua", 8}); // a single vein, not periodic
     vein.set("at", 0.05);
     vein.set("width", 0.01);
     vein.set("diffusion", 0.02);
     with({{"veins", std::make_shared<const std::vector<Params>>(1, vein)}});
-    // What lanes leave to one by one.
+    // Cases that are evaluated one by one.
     with({{"levels", Value(std::int64_t{5})}});
     with({{"repeats", Value(false)}});
     with({{"precision", Value(std::string("32 bit"))}});

@@ -16,7 +16,7 @@ namespace {
 using solid::Fluctuation;
 using solid::Triple;
 
-// Two-sided normal bounds, for a significance of 1e-6 a comparison.
+// Two-sided normal bound, for a significance of 1e-6 per comparison.
 constexpr double bound = 4.9;
 
 LatticeSettings plain(int levels, double decay, std::uint64_t seed = 5) {
@@ -44,8 +44,8 @@ struct Moments {
     }
 };
 
-/// What nodes of a level add to the mean of their neighbours, by the number of odd coordinates,
-/// spelt out as the paper's three steps.
+/// The differences of the nodes of a level from the mean of their neighbours, by the number of odd
+/// coordinates, as in the paper's three steps.
 std::array<Moments, 4> increments(const FractalLattice& lattice, int level) {
     std::array<Moments, 4> found;
     const int cells = 1 << level;
@@ -126,7 +126,7 @@ TEST(SolidLattice, IncrementsAreNormalAndIndependent) {
 }
 
 TEST(SolidLattice, VariatesAreNormalInTheTailsToo) {
-    // The inverse itself, against the C library's error function.
+    // The inverse distribution function against the C library's error function.
     for (std::uint32_t bits = 0; bits < 0xffffff00U; bits += 0x10100) {
         const double g = double(solid::normal_variate(bits));
         const double u = (double(bits >> 8) + 0.5) * 0x1p-24;
@@ -145,7 +145,7 @@ TEST(SolidLattice, IsTheSumOfItsLevels) {
         Fluctuation sum = solid::corner_field(&lattice.header(), p);
         for (int level = 1; level <= 6; ++level)
             solid::add_field(&sum, solid::level_field(&lattice.header(), level, p),
-                             lattice.header().spread[level]);
+                             lattice.header().amplitude[level]);
         const Fluctuation stored = lattice.at(p);
         EXPECT_NEAR(stored.value, sum.value, 2e-5);
         EXPECT_NEAR(stored.gradient.x, sum.gradient.x, 2e-3);
@@ -176,7 +176,7 @@ TEST(SolidLattice, StoredAndOnDemandLevelsAgreeEverywhere) {
     }
 }
 
-TEST(SolidLattice, TheTileHoldsWhatItsLevelsAreOneByOne) {
+TEST(SolidLattice, TheTileIsTheSumOfItsLevels) {
     for (const int stored : {0, 6, 7, 8})
         for (const bool repeats : {true, false}) {
             LatticeSettings settings = plain(stored, 0.4);
@@ -186,7 +186,7 @@ TEST(SolidLattice, TheTileHoldsWhatItsLevelsAreOneByOne) {
             Random random(9, Purpose::test);
             for (int i = 0; i < 500; ++i) {
                 Triple p = somewhere(random, 2);
-                p = solid::within_reach(&lattice.header(), p);
+                p = solid::into_domain(&lattice.header(), p);
                 for (const float width : {0.0F, 0.0007F, 0.004F, 0.011F}) {
                     const float resolved = solid::resolved_level(&lattice.header(), width);
                     const int whole = static_cast<int>(resolved);
@@ -232,8 +232,8 @@ TEST(SolidLattice, RepeatsExactly) {
 }
 
 TEST(SolidLattice, IsContinuousAcrossCellsAndCubes) {
-    // A step of 2^-20 across a face moves the value by no more than the slopes on its two sides
-    // allow, at cells' faces of every level, at those of the first cube, and of cubes far away.
+    // A step of 2^-20 across a face changes the value by at most what the slopes on both sides
+    // allow: at faces of cells of every level, of the first cube, and of cubes far away.
     for (const bool repeats : {true, false}) {
         LatticeSettings settings = plain(5, 0.7);
         settings.repeats = repeats;
@@ -287,7 +287,7 @@ TEST(SolidLattice, GradientIsTheSlope) {
     }
 }
 
-TEST(SolidLattice, SixteenBitsAreOffByHalfAStep) {
+TEST(SolidLattice, SixteenBitErrorIsAtMostHalfAStep) {
     LatticeSettings settings = plain(5, 0.5);
     const FractalLattice exact(settings);
     settings.sixteen_bit = true;
@@ -301,10 +301,10 @@ TEST(SolidLattice, SixteenBitsAreOffByHalfAStep) {
     EXPECT_LT(rounded.header().step, 4e-4F);
 }
 
-TEST(SolidLattice, WhatIsLeftOutHasTheVarianceItSays) {
-    // Over many lattices and places: mean square of all levels less those resolved. At widths that
-    // leave levels whole (sqrt 2 times powers of 2): between them one level is left out in part,
-    // and what varies within the filter is another thing than what was not added.
+TEST(SolidLattice, UnresolvedLevelsHaveTheStatedVariance) {
+    // The mean square of all levels minus the resolved ones, over many lattices and places. Only at
+    // widths that resolve whole levels (sqrt 2 times powers of 2): in between, one level is partly
+    // resolved, and the variance within the filter is not that of the part left out.
     for (const float width : {0.0441942F, 0.1767767F, 0.3535534F, 1.4142136F}) {
         double squares = 0, said = 0;
         const int lattices = 40, places = 400;
@@ -321,7 +321,7 @@ TEST(SolidLattice, WhatIsLeftOutHasTheVarianceItSays) {
                 said += double(coarse.variance);
             }
         }
-        EXPECT_NEAR(squares / said, 1, 0.05) << width; // coarse levels have few nodes a lattice
+        EXPECT_NEAR(squares / said, 1, 0.05) << width; // coarse levels have few nodes per lattice
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Granite, breccia, stone, leather and bark: what all their presets must hold.
+// Granite, breccia, stone, leather and bark: properties that all presets must have.
 #include "core/device.h"
 #include "core/parallel.h"
 #include "core/random.h"
@@ -22,7 +22,7 @@ namespace {
 using tests::difference;
 using Values = std::map<std::string, Value>;
 
-/// One of the textures in one of its presets, and how wide the cells are that one sees first [m].
+/// A texture with one of its presets, and the width of its most visible cells [m].
 struct Material {
     std::string name, preset;
     double cell;
@@ -67,7 +67,7 @@ ShadingPoint point_at(const Vec3& position) {
     return point;
 }
 
-/// A filter turned anyhow, `width` wide and drawn out by `slant`.
+/// A randomly oriented filter of a `width`, elongated by `slant`.
 ShadingPoint filter_at(const Vec3& position, double width, double slant, Random& random) {
     ShadingPoint point = point_at(position);
     const Vec3 a = direction(random);
@@ -99,7 +99,8 @@ std::vector<ShadingPoint> scattered_points(std::size_t count, double extent, Ran
     return points;
 }
 
-/// Sums of squares and of errors, of points and of the filter, against means of 4096 points.
+/// Sums of squares and of errors of unfiltered points and of the filter, against means of 4096
+/// points.
 struct FilterErrors {
     double point = 0, filtered = 0, bias = 0;
     int places = 0;
@@ -109,7 +110,7 @@ void add_filter_errors(const Material& material, double width, double slant, int
                        FilterErrors& errors) {
     const auto filtered = made(material), points = made(material, {{"filtered", Value(false)}});
     Random random(11, Purpose::test);
-    constexpr int side = 32; // stratified, as good as 4096 points anywhere
+    constexpr int side = 32; // stratified, so as accurate as 4096 random points
     std::vector<ShadingPoint> inside(side * side);
     std::vector<ShadingSample> seen(side * side);
     for (int i = 0; i < places; ++i) {
@@ -147,16 +148,16 @@ TEST(SolidMaterials, FiltersComeNearTheMeanOfManyPoints) {
                          bias = sums.bias / sums.places;
             const testing::Message where = testing::Message()
                                            << name << " slant " << slant << " cells " << cells;
-            // Beds fade to their mean before a filter holds many of them.
+            // Beds fade to their mean before a filter covers many of them.
             EXPECT_LT(filtered, (cells < 1 || name == "stone" ? 0.7 : 0.5) * point) << where;
-            // With three standard errors: one such figure in 370 would be beyond them by chance.
+            // Three standard errors: one of 370 values would exceed them by chance.
             EXPECT_LT(std::abs(bias), 0.1 * point + 3 * filtered / std::sqrt(sums.places)) << where;
         }
     }
 }
 
 TEST_P(SolidMaterial, LooksTheSameToAPointAndToANarrowFilter) {
-    // Unpushed, a point has no width of any kind: nothing may divide by it.
+    // Without turbulence an unfiltered point has width 0, by which nothing may divide.
     const auto procedural = made(GetParam(), {{"turbulence", Value(0.0)}});
     Random random(23, Purpose::test);
     constexpr int places = 2000;
@@ -194,13 +195,14 @@ TEST_P(SolidMaterial, SlopeIsTheHeightsGradient) {
         size += slope * slope;
     }
     EXPECT_GT(size / places, 1e-4);
-    // The trilinear field has kinks between its cells, and flanks are steep.
+    // The trilinear field has kinks between its cells, and edges are steep.
     EXPECT_LE(far, places / 50);
 }
 
 namespace {
 
-/// The part of [a, b] over which `f` changes most after so many halvings, and its change there.
+/// The change of `f` over the part of [a, b] that repeated bisection towards the larger change
+/// finds.
 template <class F>
 double change_left(const F& f, double a, double b, int halvings) {
     for (int i = 0; i < halvings; ++i) {
@@ -213,10 +215,12 @@ double change_left(const F& f, double a, double b, int halvings) {
 } // namespace
 
 TEST_P(SolidMaterial, HasNoSeams) {
-    // Neither the height of points nor the colour through a filter jumps: no border of a grid, or
-    // of what is looked at for a cell, lies open. A steep flank shrinks with the step, a jump not.
+    // Neither the height of points nor the filtered colour is discontinuous at borders of a grid or
+    // at limits of the search for seeds. The change over a steep edge shrinks with the step, that
+    // over a discontinuity does not.
     const Material& material = GetParam();
-    // Unpushed: the field that pushes has kinks, where filters change their width at once.
+    // Without turbulence, since the warping field has kinks, where the width of filters changes
+    // abruptly.
     const auto procedural = made(material, {{"turbulence", Value(0.0)}});
     Random random(17, Purpose::test);
     constexpr int steps = 1200, halvings = 7;
@@ -224,7 +228,7 @@ TEST_P(SolidMaterial, HasNoSeams) {
         const Vec3 start = place(random, 0.05);
         const double width = material.cell * (0.2 + 0.4 * line), step = width / 100;
         ShadingPoint filter = filter_at(start, width, 1, random);
-        // Along the filter's own plane: it has no width across that.
+        // In the plane of the filter, which has no extent perpendicular to it.
         const Vec3 along = (filter.across + filter.along * random.uniform_float()).normalized();
         const auto color = [&](double t) {
             filter.position = start + along * float(t);
@@ -246,7 +250,7 @@ TEST_P(SolidMaterial, HasNoSeams) {
 }
 
 TEST_P(SolidMaterial, DeviceAgrees) {
-    // Where the last bit decides between two cells, unfiltered points may part: one in 2000.
+    // The last bit may decide between two cells for unfiltered points: at most one in 2000.
     const auto procedural = made(GetParam());
     Random random(21, Purpose::test);
     const std::vector<ShadingPoint> points = scattered_points(8192, 0.3, random);
@@ -276,7 +280,7 @@ TEST_P(SolidMaterial, IsTheSameOnAnyThreads) {
     EXPECT_EQ(std::memcmp(one.data(), many.data(), one.size() * sizeof(ShadingSample)), 0);
 }
 
-TEST_P(SolidMaterial, HasNoNumberThatIsNone) {
+TEST_P(SolidMaterial, NeverGivesNaN) {
     Random random(8, Purpose::test);
     for (const bool repeats : {true, false})
         for (const double extent : {0.0, 1e-6, 1.0, 1e6, 1e20}) {

@@ -17,7 +17,7 @@ namespace {
 
 using solid::Fluctuation;
 
-/// Whether a test finds the scalar reference and at least one vector path on this machine.
+/// This machine has the scalar reference and at least one vector path.
 TEST(SolidVector, TheReferenceIsTheLastPath) {
     ASSERT_GE(vector_paths().size(), 1U);
     EXPECT_EQ(vector_paths().back(), "scalar");
@@ -82,7 +82,7 @@ TEST(SolidVector, CellsAreTheSameBitForBit) {
 }
 
 TEST(SolidVector, LevelsOnDemandAreTheSameBitForBitOnAllPaths) {
-    // Also far from the first cube, and where the filter takes a share of a level.
+    // Also far from the first cube, and where the filter resolves a level partly.
     for (const bool repeats : {true, false}) {
         LatticeSettings settings;
         settings.levels = 3;
@@ -110,7 +110,7 @@ TEST(SolidVector, LevelsOnDemandAreTheSameBitForBitOnAllPaths) {
     }
 }
 
-/// Places in and about a box, one of them on its corner.
+/// Places in and around a box, one of them at its corner.
 struct Places {
     std::vector<float> x{0}, y{0}, z{0};
 
@@ -132,7 +132,8 @@ std::vector<float> values_on(const std::string& name, std::size_t count, const a
     return found;
 }
 
-/// All vector paths find the same bits; what the scalar path finds is returned with them.
+/// Checks that all vector paths give the same bits; returns these and the results of the scalar
+/// path.
 std::pair<std::vector<float>, std::vector<float>> compared(std::size_t count,
                                                            const auto& evaluate) {
     const std::vector<float> found = values_on(vector_paths().front(), count, evaluate);
@@ -149,7 +150,7 @@ TEST(SolidVector, FluctuationsOfManyPointsAreThoseOfTheLattice) {
             for (const int level : {0, 2, 5}) {
                 LatticeSettings settings;
                 settings.levels = 5;
-                settings.decay = 0.2; // neighbours differ by much
+                settings.decay = 0.2; // neighbours differ a lot
                 settings.repeats = repeats;
                 settings.sixteen_bit = sixteen_bit;
                 const FractalLattice lattice(settings);
@@ -193,7 +194,7 @@ TEST(SolidVector, VeinsOfManyPointsAreTheFormula) {
          vein(0.55F, 0.01F, 60), vein(0.73F, 0.005F, 62), vein(0.91F, 0.01F, 67)},
         {vein(0.3F, 0, 80), vein(0.3F, 0.1F, 20), vein(0.34F, 0.01F, 20)}, // more than 1 together
         {vein(0.6F, 0.001F, 3000), vein(0.2F, 0.2F, 2)},
-        {vein(0.25F, 1e-5F, 1e7F), vein(0.75F, 0.1F, 1e30F)}}; // bins are wide for these
+        {vein(0.25F, 1e-5F, 1e7F), vein(0.75F, 0.1F, 1e30F)}}; // bins are too wide for these
     std::vector<float> z;
     for (int i = -5000; i < 40000; ++i)
         z.push_back(i < 0 ? 0.017F * static_cast<float>(i) : -1.5F + 1e-4F * static_cast<float>(i));
@@ -203,7 +204,7 @@ TEST(SolidVector, VeinsOfManyPointsAreTheFormula) {
             const auto [found, scalar] =
                 compared(z.size(), [&](std::span<float> out) { table.values(z, z, 0, out); });
             for (std::size_t i = 0; i < z.size(); ++i) {
-                // Against the formula anywhere within two units in the last place of z.
+                // Against the formula at any place within two ulp of z.
                 const double reach = std::max(std::abs(double(z[i])), 0.5) * 0x1p-22;
                 double low = 1, high = 0;
                 for (int step = -4; step <= 4; ++step) {
@@ -220,7 +221,7 @@ TEST(SolidVector, VeinsOfManyPointsAreTheFormula) {
         }
 }
 
-TEST(SolidVector, MarbleAndWoodArePushedByTheFluctuations) {
+TEST(SolidVector, MarbleAndWoodAreDisplacedByTheFluctuations) {
     LatticeSettings settings;
     settings.levels = 5;
     const FractalLattice lattice(settings);

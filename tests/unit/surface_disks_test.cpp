@@ -52,7 +52,7 @@ std::size_t conflicts(const SurfaceDiskSet& set, const std::vector<double>& dist
     return count;
 }
 
-// How many of the darts thrown at every triangle in turn would find room.
+// How many of the darts that are thrown at each triangle find room.
 std::size_t fitting(const Mesh& mesh, const SurfaceDiskSet& set,
                     const std::vector<double>& distances, std::size_t darts) {
     const std::size_t n = distances.size();

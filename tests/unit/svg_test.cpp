@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SVG outlines against areas that are known and against the fill rules applied point by point.
+// SVG outlines against known areas and against the fill rules evaluated point by point.
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
 #include "geometry/plane/svg/svg_document.h"
 #include "geometry/plane/svg/svg_text.h"
 #include "shapes/table.h"
+#include "tests/support/errors.h"
 #include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
@@ -43,15 +44,6 @@ Region drawn(const std::string& body, const std::string& attributes = "",
     return fill(std::move(shapes));
 }
 
-std::string error_of(const auto& work) {
-    try {
-        work();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 int winding_number(const std::vector<Ring>& rings, const Vec2& p) {
     int number = 0;
     for (const Ring& ring : rings)
@@ -66,7 +58,7 @@ int winding_number(const std::vector<Ring>& rings, const Vec2& p) {
 }
 
 TEST(SvgPath, AllCommandsAbsoluteAndRelative) {
-    // Each draws the unit square by other commands.
+    // Each draws the unit square with different commands.
     for (const char* data :
          {"M0 0 L1 0 L1 1 L0 1 Z", "m0,0 1,0 0,1 -1,0z", "M0 0H1V1H0Z", "m0 0h1v1h-1z",
           "M0 0C0 0 1 0 1 0C1 0 1 1 1 1L0 1", "m0 0c0 0 1 0 1 0s0 1 0 1l-1 0z",
@@ -91,14 +83,14 @@ TEST(SvgPath, ArcsLieOnTheirEllipse) {
     EXPECT_NEAR(path_area("M1 0A1 1 0 0 1 -1 0A1 1 0 0 1 1 0Z"), pi, 1e-4);
     EXPECT_NEAR(path_area("M2 0a2 1 0 1 1 -4 0a2 1 0 1 1 4 0z"), 2 * pi, 1e-3);
     EXPECT_NEAR(path_area("M1 0A1 1 0 0 0 -1 0A1 1 0 0 0 1 0Z"), -pi, 1e-4);
-    // A quarter of a circle less its triangle, and the rest of the circle.
+    // A quarter of a disk minus its triangle.
     EXPECT_NEAR(path_area("M1 0A1 1 0 0 1 0 1Z"), pi / 4 - 0.5, 1e-4);
     EXPECT_NEAR(path_area("M1 0A1 1 0 1 0 0 1Z"), -(3 * pi / 4 + 0.5), 1e-4);
     EXPECT_NEAR(path_area("M1 0a1 1 0 01-1 1Z"), pi / 4 - 0.5, 1e-4); // flags without spaces
-    // Radii too small are enlarged to a half circle; none at all is a line.
+    // Radii that are too small are scaled up to a half circle; a radius of 0 gives a line.
     EXPECT_NEAR(path_area("M0 0A.1 .1 0 0 1 2 0Z"), pi / 2, 1e-4);
     EXPECT_NEAR(path_area("M0 0A0 1 0 0 1 2 0L2 1Z"), 1, 1e-9);
-    // Points of turned ellipses: |M^-1 (p - centre)| = 1.
+    // Points of rotated ellipses satisfy |M^-1 (p - centre)| = 1.
     for (std::uint64_t i = 0; i < 200; ++i) {
         Random random(1, Purpose::test, i);
         const Vec2 radii(random.uniform(0.2, 3), random.uniform(0.2, 3));
@@ -130,7 +122,7 @@ TEST(SvgPath, ArcsLieOnTheirEllipse) {
 
 TEST(SvgPath, MistakesAreNamed) {
     const auto message = [](std::string_view data) {
-        return error_of([&] { parse_path_data(data); });
+        return tests::error_of([&] { parse_path_data(data); });
     };
     EXPECT_EQ(message(""), "the path is empty");
     EXPECT_EQ(message("L1 1"),
@@ -193,7 +185,7 @@ TEST(SvgDocument, BasicShapes) {
     EXPECT_NEAR(area(drawn("<ellipse cx='5' rx='2' ry='3'/>")), 6 * pi, 1e-3);
     EXPECT_NEAR(area(drawn("<polygon points='0,0 4,0 4,3'/>")), 6, 1e-6);
     EXPECT_NEAR(area(drawn("<polyline points='0 0 4 0 4 3'/>")), 6, 1e-6);
-    // Corners of radius r leave out (4 - pi) r^2; one radius stands for both, half a side at most.
+    // Rounded corners remove (4 - pi) r^2. One radius stands for both and is at most half a side.
     const double lost = 4 - pi;
     EXPECT_NEAR(area(drawn("<rect width='6' height='5' rx='2'/>")), 30 - lost * 4, 1e-3);
     EXPECT_NEAR(area(drawn("<rect width='6' height='5' rx='2' ry='1'/>")), 30 - lost * 2, 1e-3);
@@ -243,12 +235,12 @@ TEST(SvgDocument, OneElementById) {
     EXPECT_NEAR(area(drawn(body, "", "b")), 4, 1e-6);
     EXPECT_NEAR(area(drawn(body, "", "a")), 12, 1e-6);
     EXPECT_NEAR(area(drawn(body, "", "d")), pi, 1e-3);
-    EXPECT_NE(error_of([&] { drawn(body, "", "e"); }).find("no element has the id"),
+    EXPECT_NE(tests::error_of([&] { drawn(body, "", "e"); }).find("no element has the id"),
               std::string::npos);
 }
 
 TEST(SvgFill, RulesDifferWhereAnOutlineCrossesItself) {
-    // A five-pointed star in one stroke: its middle winds twice.
+    // A pentagram, whose middle has the winding number 2.
     std::string points;
     for (int i = 0; i < 5; ++i)
         points += fmt::format("{},{} ", std::sin(4 * pi * i / 5), -std::cos(4 * pi * i / 5));
@@ -259,19 +251,20 @@ TEST(SvgFill, RulesDifferWhereAnOutlineCrossesItself) {
     const double inner = std::pow(2 / (1 + std::sqrt(5.0)), 2);
     const double pentagon = 2.5 * std::sin(2 * pi / 5) * inner * inner;
     EXPECT_NEAR(whole - pierced, pentagon, 1e-4);
-    // Opposite directions make a hole for both rules, the same direction for evenodd only.
+    // A ring of opposite orientation is a hole by both rules, one of the same orientation only by
+    // evenodd.
     const std::string outer = "M0 0H4V4H0Z";
     EXPECT_NEAR(area(drawn("<path d='" + outer + "M1 1V3H3V1Z'/>")), 12, 1e-6);
     EXPECT_NEAR(area(drawn("<path d='" + outer + "M1 1H3V3H1Z'/>")), 16, 1e-6);
     EXPECT_NEAR(area(drawn("<path fill-rule='evenodd' d='" + outer + "M1 1H3V3H1Z'/>")), 12, 1e-6);
-    // Shapes of a drawing are united, whatever their rules.
+    // The result is the union of all shapes, each filled by its own rule.
     EXPECT_NEAR(area(drawn("<path d='" + outer + "'/><rect x='2' y='2' width='4' height='4'/>")),
                 28, 1e-6);
 }
 
-TEST(SvgFill, PartsThatTouchAreParted) {
-    // Two squares by their corners, a figure of eight, a hole that touches its outline, and a
-    // square of four holes that meet in the middle.
+TEST(SvgFill, TouchingPartsAreSeparated) {
+    // Two squares that touch at a corner, a figure of eight, a hole that touches its outline, and a
+    // square with four holes that meet in the middle.
     for (const auto& [data, want] : std::vector<std::pair<std::string, double>>{
              {"M0 0H1V1H0ZM1 1H2V2H1Z", 2},
              {"M0 0L2 2V0L0 2Z", 2},
@@ -279,15 +272,15 @@ TEST(SvgFill, PartsThatTouchAreParted) {
              {"M0 0H4V4H0ZM2 2H1V1H2ZM2 2V1H3V2ZM2 2H3V3H2ZM2 2V3H1V2Z", 16 - 4}}) {
         const Region region = drawn("<path fill-rule='evenodd' d='" + data + "'/>");
         EXPECT_NEAR(area(region), want, 1e-6) << data;
-        EXPECT_NO_THROW(triangulate(region.rings)) << data; // which refuses touching rings
+        EXPECT_NO_THROW(triangulate(region.rings)) << data; // it rejects touching rings
     }
 }
 
-// Random tangles: the region holds just the points that the rule fills.
+// For random self-intersecting polygons the region contains exactly the points that the rule fills.
 TEST(SvgFill, AgreesWithTheRulesPointByPoint) {
     for (std::uint64_t i = 0; i < 60; ++i) {
         Random random(7, Purpose::test, i);
-        // On every other round a coarse grid, so that points and edges coincide.
+        // Every other polygon is on a coarse grid, so that points and edges coincide.
         const bool coarse = i % 2 == 1;
         std::vector<FilledRings> shapes(1 + random.below(3));
         for (FilledRings& shape : shapes) {
@@ -302,7 +295,7 @@ TEST(SvgFill, AgreesWithTheRulesPointByPoint) {
         try {
             region = fill(shapes);
         } catch (const Error& error) {
-            EXPECT_TRUE(coarse) << error.what(); // all on a line
+            EXPECT_TRUE(coarse) << error.what(); // degenerate: all points on a line
             continue;
         }
         const Region whole = triangulate(region.rings);
@@ -313,7 +306,7 @@ TEST(SvgFill, AgreesWithTheRulesPointByPoint) {
                     const int number = winding_number(shape.rings, p);
                     return shape.rule == FillRule::nonzero ? number != 0 : number % 2 != 0;
                 });
-            if (contains(whole, p) != inside) { // but for what touching corners lost
+            if (contains(whole, p) != inside) { // up to the separation of touching corners
                 EXPECT_LT(std::abs(signed_distance(whole, p)), 2e-4) << i;
             }
         }
@@ -369,7 +362,7 @@ TEST_F(SvgRegion, PathInTheScript) {
     EXPECT_NEAR(area(make({{"d", std::string("M0 0h4v4h-4zM1 1h2v2h-2z")},
                            {"fill_rule", std::string("evenodd")}})),
                 12, 1e-6);
-    EXPECT_EQ(error_of([&] {
+    EXPECT_EQ(tests::error_of([&] {
                   make({{"d", std::string("M0 0L1 1L2 2Z")}});
               }),
               "scene.lua:7: region.path.d: the outline encloses no area");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Procedurals baked to textures, slices and volumes, and the volumes' files read again.
+// Procedurals baked to textures, slices and volumes, and reading of volume files.
 #include "core/file.h"
 #include "core/parallel.h"
 #include "core/random.h"
@@ -21,7 +21,7 @@ namespace {
 
 using Vec3d = Imath::V3d;
 
-/// Says where it was asked, and how.
+/// A procedural whose samples contain the position and the filter of the shading point.
 class Probe : public Procedural {
   public:
     void evaluate(std::span<const ShadingPoint> points,
@@ -55,7 +55,7 @@ TextureSource source_of(std::shared_ptr<const Mesh> mesh, const Probe& probe = {
             .roughness = 0.2F};
 }
 
-TEST(SurfaceTexture, HoldsWhatThePlaceSays) {
+TEST(SurfaceTexture, HoldsTheValuesOfTheSurface) {
     const TextureSource source = source_of(component("sphere", {{"radius", 2.0}}));
     const UvRaster raster(*source.mesh, 128, 64);
     const Image image = surface_texture(source, raster, TextureChannel::color, {});
@@ -75,7 +75,7 @@ TEST(SurfaceTexture, HoldsWhatThePlaceSays) {
     EXPECT_LT(*footprints.at(40, 5), 0.5 * 4 * pi / 128) << "narrow towards the pole";
 }
 
-TEST(SurfaceTexture, RoughnessIsTheMaterialsOwnWhereNoneIsGiven) {
+TEST(SurfaceTexture, RoughnessIsThatOfTheMaterialIfNoneIsGiven) {
     const TextureSource source = source_of(component("sphere"));
     const UvRaster raster(*source.mesh, 64, 64);
     const Image where = surface_texture(source, raster, TextureChannel::color, {});
@@ -84,8 +84,8 @@ TEST(SurfaceTexture, RoughnessIsTheMaterialsOwnWhereNoneIsGiven) {
         EXPECT_EQ(*image.at(x, 30), *where.at(x, 30) > 0 ? 0.7F : 0.2F);
 }
 
-// On the x-z plane u runs along +x and v along -z: heights that rise along +x make normals that
-// lean towards -u, and the green of OpenGL's maps points to where v grows.
+// In the x-z plane u is +x and v is -z. Heights that rise along +x tilt normals towards -u; green
+// of the OpenGL convention points along +v.
 TEST(SurfaceTexture, NormalsLeanAwayFromTheSlope) {
     Probe probe;
     const auto normal = [&](const Vec3& slope) {
@@ -144,7 +144,7 @@ TEST(TextureSlices, LieInTheMiddlesOfSlabs) {
     EXPECT_EQ(slices_through(line, 0, 4, 16, 0).width, 1);
 }
 
-TEST(TextureSlices, StandOnOneSheetWithGaps) {
+TEST(TextureSlices, AreCombinedOnAContactSheet) {
     std::vector<Image> slices(5, Image(6, 4, {"Y"}));
     for (std::size_t i = 0; i < slices.size(); ++i)
         std::fill(slices[i].pixels.begin(), slices[i].pixels.end(), 0.1F * float(i));
@@ -224,7 +224,7 @@ TEST(TextureVolume, FillsTheBoxOfAnOpenMesh) {
     EXPECT_EQ(images[0].pixels, std::vector<float>(36, 1.0F));
 }
 
-TEST(TextureVolume, AsPicturesItSaysWhatIsInside) {
+TEST(TextureVolume, PicturesHaveAnAlphaOfTheInside) {
     const TextureSource source = source_of(component("sphere"));
     const TextureVolume volume = texture_volume(*source.mesh, 16);
     for (int axis = 0; axis < 3; ++axis) {
@@ -262,7 +262,7 @@ TEST(TextureVolume, SameBytesOnAnyThreads) {
     EXPECT_NE(bytes(1, "a"), bytes(1, "b"));
 }
 
-TEST(TextureVolume, NoRoomLeavesTheOldFileWhole) {
+TEST(TextureVolume, AFullDiskLeavesTheOldFileIntact) {
     const test::Folder folder;
     const std::string path = folder.file("full.vdb");
     const TextureSource source = source_of(component("sphere"));

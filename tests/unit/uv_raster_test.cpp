@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Textures over UVs against brute force: coverage, places, filters, gutter and frames.
+// Rasterisation of UVs against brute force: coverage, positions, filters, gutter and tangent
+// frames.
 #include "core/error.h"
 #include "core/parallel.h"
 #include "core/random.h"
@@ -19,7 +20,7 @@ namespace {
 using Vec3d = Imath::V3d;
 using Polygon = std::vector<Vec2>;
 
-// What of a polygon lies where value(p) >= 0 (Sutherland & Hodgman 1974).
+// Clips a polygon to value(p) >= 0 (Sutherland & Hodgman 1974).
 template <class Value>
 Polygon clipped(const Polygon& polygon, const Value& value) {
     Polygon out;
@@ -45,7 +46,7 @@ double area_in_square(Polygon polygon, double x, double y) {
     return std::abs(twice) / 2;
 }
 
-// Least distance to the edges' lines, positive inside.
+// The smallest signed distance to the lines of the edges, positive inside.
 double depth_inside(const Polygon& t, const Vec2& p) {
     const double turn = cross(t[1] - t[0], t[2] - t[0]) > 0 ? 1 : -1;
     double least = 1e30;
@@ -56,7 +57,7 @@ double depth_inside(const Polygon& t, const Vec2& p) {
     return least;
 }
 
-// Triangles apart in space, so that places tell which one was taken.
+// Triangles that are disjoint in space, so that a position identifies its triangle.
 Mesh random_triangles(std::uint64_t seed, int count, float low, float high, float size) {
     Random random(seed, Purpose::test);
     const auto number = [&](float a, float b) { return a + (b - a) * random.uniform_float(); };
@@ -106,7 +107,7 @@ void compare_to_brute_force(const Mesh& mesh, int width, int height) {
                     }
             const std::size_t texel = std::size_t(y) * std::size_t(width) + std::size_t(x);
             if (most_area > 0 && most_area < 1e-9) {
-                ++unclear; // rounding decides
+                ++unclear; // depends on rounding
             } else {
                 ASSERT_EQ(raster.covered(texel), most_area > 0) << x << ", " << y;
             }
@@ -132,8 +133,7 @@ TEST(UvRaster, WrapsRoundBeyondTheUnitSquare) {
     compare_to_brute_force(mesh, 19, 33);
     const UvRaster raster(mesh, 19, 33);
     EXPECT_TRUE(raster.wraps());
-    for (const std::uint32_t texel :
-         raster.covered_texels()) { // the mesh's own UVs, whole tiles off
+    for (const std::uint32_t texel : raster.covered_texels()) { // the mesh's UVs, up to whole tiles
         const Vec2f uv = raster.place(texel).uv;
         const double x = uv.x * 19 - 0.5 - texel % 19, y = (1 - uv.y) * 33 - 0.5 - texel / 19;
         EXPECT_NEAR(x / 19, std::round(x / 19), 1e-5);
@@ -142,7 +142,7 @@ TEST(UvRaster, WrapsRoundBeyondTheUnitSquare) {
     EXPECT_FALSE(UvRaster(random_triangles(1, 5, 0.4F, 0.6F, 0.2F), 19, 33).wraps());
 }
 
-// A square in UV whose surface is slanted and sheared: an affine map without seams.
+// A square in UV on a slanted and sheared surface: an affine map without seams.
 struct Sheared {
     Vec3d origin{0.1, 0.2, -0.3}, along_u{0.5, 0.1, 0.2}, along_v{0.2, 0.3, -0.1};
 
@@ -188,8 +188,8 @@ TEST(UvRaster, SliversGoNoFartherThanTheyAreLong) {
         EXPECT_LT(raster.place(texel).position.length(), 3);
 }
 
-// The filter's axes hold what finite differences of the places say: the covariance of the texel's
-// image, J J^T.
+// The filter's axes agree with finite differences of the positions: they give the covariance J J^T
+// of the texel's image.
 TEST(UvRaster, FiltersAreTheJacobian) {
     const Sheared map;
     const Mesh mesh = map.mesh(0, 1);
@@ -303,11 +303,11 @@ TEST(UvFrames, FollowTheUvsOnFlatAndMirroredFaces) {
     };
     check(1);
     for (Mesh::Triangle& t : mesh.triangles)
-        std::swap(t[1], t[2]); // the other side is the front
+        std::swap(t[1], t[2]); // reverses the orientation
     check(-1);
 }
 
-TEST(UvFrames, KnowHowLongAUnitOfUvIs) {
+TEST(UvFrames, GiveTheLengthOfAUnitOfUv) {
     Mesh mesh;
     for (const Vec2f& uv : {Vec2f(0, 0), Vec2f(1, 0), Vec2f(1, 1), Vec2f(0, 1)}) {
         mesh.uvs.push_back(uv);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which voxels are inside a mesh, against the solid angle that the mesh has round them.
+// Voxels inside a mesh, against the solid angle of the mesh at their centres.
 #include "core/error.h"
 #include "geometry/mesh/voxel_grid.h"
-#include "shapes/table.h"
-#include "tests/support/plugin_params.h"
+#include "tests/support/component_checks.h"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +10,9 @@ namespace scree {
 namespace {
 
 using Vec3d = Imath::V3d;
+using tests::component_mesh;
 
-Mesh component(const std::string& name, const std::map<std::string, Value>& values = {}) {
-    return tests::make(component_table(), name, values);
-}
-
-// How often the surface winds round a point (van Oosterom & Strackee 1983).
+// The winding number of the surface around a point (van Oosterom & Strackee 1983).
 double winding_number(const Mesh& mesh, const Vec3d& p) {
     double sum = 0;
     for (const Mesh::Triangle& t : mesh.triangles) {
@@ -48,30 +44,30 @@ void compare_to_winding_numbers(const Mesh& mesh, int longest) {
 }
 
 TEST(VoxelGrid, FitsTheBoundingBox) {
-    const Mesh mesh = component("box", {{"width", 0.4}, {"height", 0.2}, {"depth", 0.1}});
+    const Mesh mesh = component_mesh("box", {{"width", 0.4}, {"height", 0.2}, {"depth", 0.1}});
     const VoxelGrid grid = voxel_grid(mesh, 16);
     EXPECT_EQ(grid.count, (std::array<int, 3>{16, 8, 4}));
     EXPECT_NEAR(grid.side, 0.025, 1e-8);
     EXPECT_LT((grid.centre(0, 0, 0) - (Vec3d(bounds(mesh).min) + Vec3d(0.0125))).length(), 1e-7);
-    EXPECT_EQ(voxel_grid(component("plane"), 10).count, (std::array<int, 3>{10, 1, 10}));
+    EXPECT_EQ(voxel_grid(component_mesh("plane"), 10).count, (std::array<int, 3>{10, 1, 10}));
     Mesh point;
     point.positions = {Vec3(1.0F), Vec3(1.0F)};
     EXPECT_THROW(voxel_grid(point, 10), Error);
 }
 
-TEST(VoxelGrid, InsideIsWhereTheSurfaceWindsRound) {
-    compare_to_winding_numbers(component("sphere", {{"segments", std::int64_t{24}}}), 17);
-    compare_to_winding_numbers(component("torus", {{"segments", std::int64_t{24}}}), 20);
-    compare_to_winding_numbers(component("star"), 14);
+TEST(VoxelGrid, InsideIsWhereTheWindingNumberIsNotZero) {
+    compare_to_winding_numbers(component_mesh("sphere", {{"segments", std::int64_t{24}}}), 17);
+    compare_to_winding_numbers(component_mesh("torus", {{"segments", std::int64_t{24}}}), 20);
+    compare_to_winding_numbers(component_mesh("star"), 14);
 }
 
 // Sides and edges of the triangles pass through the centres of voxels.
 TEST(VoxelGrid, EdgesThroughCentresAreDecidedOnce) {
-    const Mesh box = component("box", {{"width", 1.0}, {"rounding", 0.0}});
+    const Mesh box = component_mesh("box", {{"width", 1.0}, {"rounding", 0.0}});
     for (const int longest : {1, 2, 7, 16})
         for (const std::uint8_t v : voxels_inside(box, voxel_grid(box, longest)))
             EXPECT_EQ(v, 1);
-    VoxelGrid wide = voxel_grid(box, 8); // half a voxel more all round: centres on all sides
+    VoxelGrid wide = voxel_grid(box, 8); // half a voxel larger: voxel centres lie on all faces
     wide.corner -= Vec3d(wide.side / 2);
     wide.count = {9, 9, 9};
     std::size_t held = 0;
@@ -81,7 +77,7 @@ TEST(VoxelGrid, EdgesThroughCentresAreDecidedOnce) {
 }
 
 TEST(VoxelGrid, EitherSideMayBeTheFrontAndPartsMayOverlap) {
-    Mesh mesh = component("sphere");
+    Mesh mesh = component_mesh("sphere");
     const VoxelGrid grid = voxel_grid(mesh, 20);
     const std::vector<std::uint8_t> inside = voxels_inside(mesh, grid);
     Mesh turned = mesh;

@@ -51,7 +51,7 @@ class BezierPath {
 
     std::vector<Subpath> subpaths_;
     Vec2 current_{0.0};
-    bool open_ = false; // whether the last subpath goes on
+    bool open_ = false; // whether the last subpath can be continued
 };
 
 } // namespace scree

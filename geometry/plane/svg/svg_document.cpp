@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one door to pugixml.
+// The only file that uses pugixml.
 #include "geometry/plane/svg/svg_document.h"
 
 #include "core/error.h"

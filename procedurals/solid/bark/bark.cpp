@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "procedurals/solid/bark/bark.h"
 
+#include "procedurals/solid/bark/bark_as_cpp.h"
 #include "procedurals/solid/bark/bark_presets.h"
 #include "procedurals/solid/bark/bark_source.h"
-#include "procedurals/solid/bark/bark_text.h"
 #include "procedurals/solid/solid_procedural.h"
 
 namespace scree {
@@ -11,11 +11,6 @@ namespace scree {
 namespace {
 
 using solid::Bark;
-
-SCREE_FOR_PROCESSORS solid::SolidSample bark_sample(solid::Field field, const Bark* bark,
-                                                    const solid::SolidPoint& point) {
-    return solid::bark_at(field, bark, point);
-}
 
 std::shared_ptr<const Procedural> make_bark(const Params& params) {
     const BarkPreset& preset = preset_named(bark_presets(), params);
@@ -25,7 +20,7 @@ std::shared_ptr<const Procedural> make_bark(const Params& params) {
     const double scale = preset_scale(params) * number_or(params, "plate", natural) / natural;
     const double deep = scale * params.number("depth");
     Bark bark{};
-    bark.push = make_push(params, number_or(params, "turbulence", preset.turbulence), 0);
+    bark.warp = make_warp(params, number_or(params, "turbulence", preset.turbulence), 0);
     bark.axis = as_triple(frame.axis);
     bark.start = frame.axis.dot(frame.origin);
     bark.color[0] = as_triple(color_or(params, "dark", preset.color[0]));
@@ -61,7 +56,7 @@ std::shared_ptr<const Procedural> make_bark(const Params& params) {
     bark.roughness = as_float(number_or(params, "roughness", preset.roughness));
     bark.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = shapes_program({bark_source});
-    return std::make_shared<SolidProcedural<Bark, bark_sample>>(
+    return std::make_shared<SolidProcedural<Bark, solid::bark_at>>(
         make_lattice(params), bark, SolidKernel{text.c_str(), "Bark", "bark_at"});
 }
 

@@ -17,7 +17,7 @@ BarkPreset bark(const char* name, unsigned dark, unsigned light, unsigned fissur
     return preset;
 }
 
-BarkPreset oak() { // long ridges that part and meet
+BarkPreset oak() { // long ridges that split and join
     BarkPreset preset = bark("oak", 0x75695a, 0xa3988a, 0x241c16);
     preset.fissures = {{21e-3, 5.5e-3, 0.05, 0.92, 4.5},
                        {8e-3, 1.2e-3, 0.05, 0.45, 3},
@@ -61,7 +61,7 @@ BarkPreset birch() { // white, with pores across and black scars
     return preset;
 }
 
-BarkPreset plane() { // patches where flakes have fallen off
+BarkPreset plane() { // patches left by fallen flakes
     BarkPreset preset = bark("plane", 0x6f6b52, 0xdad2b0, 0x4d4634);
     preset.flakes = {42e-3, 1.0e-3, 0.012, 0, 1.5};
     preset.flake_edge = 0.2;
@@ -92,7 +92,7 @@ BarkPreset cherry() { // satin, with pores in rows
 } // namespace
 
 const std::vector<BarkPreset>& bark_presets() {
-    // Colours and sizes by eye from photographs of trunks.
+    // Colours and sizes estimated from photographs of trunks.
     static const std::vector<BarkPreset> presets = {oak(), pine(), birch(), plane(), cherry()};
     return presets;
 }

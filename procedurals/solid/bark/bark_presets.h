@@ -5,20 +5,20 @@
 
 namespace scree {
 
-/// The bark of a grown tree; true lengths.
+/// The bark of a grown tree, with real dimensions.
 struct BarkPreset {
     std::string name;
-    Color color[2]{{0.3F, 0.3F, 0.3F}, {0.4F, 0.4F, 0.4F}}; // its flakes lie between them
+    Color color[2]{{0.3F, 0.3F, 0.3F}, {0.4F, 0.4F, 0.4F}}; // flakes have colours between these
     Color fissure{0.0F, 0.0F, 0.0F};
     std::vector<CreaseRecipe> fissures; // 0 to 3, the widest plates first
-    CreaseRecipe flakes{};              // its depth is the highest flake's above the lowest
+    CreaseRecipe flakes{};              // `depth` is the height of the highest flake
     double flake_edge = 0;
     BedRecipe bands{};
     SpotRecipe pores{};
     SpotRecipe scars{};
     Color pore{0.0F, 0.0F, 0.0F};
     Color scar{0.0F, 0.0F, 0.0F};
-    double pore_height = 0; // [m]; below 0: they lie deeper
+    double pore_height = 0; // [m]; negative: recessed
     double scar_height = 0;
     Color lichen{0.0F, 0.0F, 0.0F};
     double lichen_share = 0;

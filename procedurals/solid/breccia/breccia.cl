@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Breccia: broken stones of several sizes in a cement that is banded around them, and veins where
-// it broke again. Needs grains.cl and hewn.cl.
+// Breccia: broken stones of several sizes in a cement with bands around them, and veins where it
+// was fractured again. Needs grains.cl and hewn.cl.
 
-#define BRECCIA_MOST_VEINS 2
+#define BRECCIA_MAX_VEINS 2
 
-// Veins along the borders of cells that have nothing else to show.
+// Veins along the borders of otherwise invisible cells.
 typedef struct {
     Cells cells;
     float half_width; // in cells
-    float share;      // of the colour in a vein
-    float mean;       // of space: measured
+    float share;      // of the vein colour in a vein
+    float mean;       // share of space covered by veins: measured
     Triple color;
 } CellVeins;
 
 typedef struct {
-    Push push;
+    Warp warp;
     Grains grains;
     Triple cement;
-    Triple band;     // colour of the bands about the largest stones
-    float band_rate; // of them in a cell's length
-    float bands;     // share of the colour; 0: none
-    float cloudy;    // of the cement's brightness by D
-    CellVeins veins[BRECCIA_MOST_VEINS];
-    float relief; // the stones stand out so far [m]
-    float edge;   // deviation of the place of their edges, in cells
+    Triple band;     // colour of the bands around the largest stones
+    float band_rate; // bands per cell length
+    float bands;     // share of the band colour; 0: no bands
+    float cloudy;    // change of the cement's brightness per unit of D
+    CellVeins veins[BRECCIA_MAX_VEINS];
+    float relief; // height of the stones above the cement [m]
+    float edge;   // standard deviation of the position of their edges, in cells
     Hewn hewn;
     float roughness;
     float cement_roughness;
     int filtered;
 } Breccia;
 
-static inline float veins_share(global const CellVeins* veins, Pushed at, Seeds* seeds) {
+static inline float veins_share(global const CellVeins* veins, WarpedPoint at, Seeds* seeds) {
     const CellView view = cell_view(&veins->cells, at);
     if (cells_blur(view.width) >= 1.0f)
         return veins->mean;
@@ -39,17 +39,17 @@ static inline float veins_share(global const CellVeins* veins, Pushed at, Seeds*
     Triple inwards;
     const float border = border_distance(seeds, 1e3f, &inwards);
     const float sigma = deviation_along(view, inwards) + 1e-9f;
-    const float share = normal_share((veins->half_width - border) / sigma) -
-                        normal_share((-veins->half_width - border) / sigma);
-    // It sees more borders than the nearest when it is wide.
-    return mixed(share, veins->mean, smooth(0.12f, 0.5f, 0.28867513f * view.width));
+    const float share = normal_cdf((veins->half_width - border) / sigma) -
+                        normal_cdf((-veins->half_width - border) / sigma);
+    // A wide filter covers more borders than the nearest one.
+    return lerp(share, veins->mean, smooth(0.12f, 0.5f, 0.28867513f * view.width));
 }
 
 static inline SolidSample breccia_part(Field field, global const Breccia* breccia, Triple position,
                                        Triple across, Triple along, float random) {
-    const Pushed at = pushed(field, &breccia->push, position, across, along, random);
+    const WarpedPoint at = warp_point(field, &breccia->warp, position, across, along, random);
     global const GrainLayer* first = &breccia->grains.layer[0];
-    // The largest stones, and what is between them.
+    // The largest stones, then the smaller stones and the cement between them.
     const CellView view = cell_view(&first->cells, at);
     const float gap = grain_gap(first, at);
     const float asked = fmax(gap, 0.0f) + 4.0f * breccia->edge;
@@ -63,18 +63,18 @@ static inline SolidSample breccia_part(Field field, global const Breccia* brecci
         const float sigma = k * deviation_along(view, stones.inwards);
         const float wave =
             cos(k * stones.border) * exp(-0.5f * square(sigma)) * (1.0f - cells_blur(view.width));
-        cement = mixed3(cement, breccia->band, breccia->bands * (0.5f + 0.5f * wave));
+        cement = lerp3(cement, breccia->band, breccia->bands * (0.5f + 0.5f * wave));
     }
     sample.color = plus(sample.color, scaled(cement, 1.0f - covered));
     sample.roughness += breccia->cement_roughness * (1.0f - covered);
     sample.color = plus(stones.color, scaled(sample.color, 1.0f - stones.share));
     sample.roughness = stones.roughness + sample.roughness * (1.0f - stones.share);
     sample.value = stones.share + covered * (1.0f - stones.share);
-    for (int i = 0; i < BRECCIA_MOST_VEINS; ++i) {
+    for (int i = 0; i < BRECCIA_MAX_VEINS; ++i) {
         if (!(breccia->veins[i].share > 0.0f))
             continue;
         const float share = breccia->veins[i].share * veins_share(&breccia->veins[i], at, &seeds);
-        sample.color = mixed3(sample.color, breccia->veins[i].color, share);
+        sample.color = lerp3(sample.color, breccia->veins[i].color, share);
         sample.value *= 1.0f - share;
     }
     if (breccia->relief > 0.0f) {
@@ -82,12 +82,12 @@ static inline SolidSample breccia_part(Field field, global const Breccia* brecci
             sqrt(square(breccia->edge) + square(deviation_along(view, stones.inwards)));
         const float z = (stones.border - gap) / sigma;
         const float blur = cells_blur(view.width);
-        sample.height = breccia->relief * mixed(normal_share(z), first->whole, blur);
+        sample.height = breccia->relief * lerp(normal_cdf(z), first->whole, blur);
         const Triple inwards =
-            gradient_before(at, gradient_of_cells(&first->cells, stones.inwards));
+            gradient_before_warp(at, gradient_of_cells(&first->cells, stones.inwards));
         sample.slope =
             scaled(minus(inwards, scaled(at.field_slope, first->gap * first->gap_by_field)),
-                   breccia->relief * (1.0f - blur) * normal_density(z) / sigma);
+                   breccia->relief * (1.0f - blur) * normal_pdf(z) / sigma);
     }
     hew(field, &breccia->hewn, position, across, along, random, &sample);
     return sample;

@@ -2,9 +2,9 @@
 #include "procedurals/solid/breccia/breccia.h"
 
 #include "core/random.h"
+#include "procedurals/solid/breccia/breccia_as_cpp.h"
 #include "procedurals/solid/breccia/breccia_presets.h"
 #include "procedurals/solid/breccia/breccia_source.h"
-#include "procedurals/solid/breccia/breccia_text.h"
 #include "procedurals/solid/cells/grains_source.h"
 #include "procedurals/solid/solid_procedural.h"
 
@@ -22,7 +22,7 @@ GrainRecipe stones_of(const Params& params, const BrecciaPreset& preset) {
         stone.size *= size / largest;
     if (params.has("fragments")) {
         recipe.minerals = minerals_of(params.list("fragments"), size);
-        while (recipe.outlines.size() < GRAINS_MOST_LAYERS)
+        while (recipe.outlines.size() < GRAINS_MAX_LAYERS)
             recipe.outlines.push_back(recipe.outlines.back());
     }
     if (params.has("gap"))
@@ -32,7 +32,7 @@ GrainRecipe stones_of(const Params& params, const BrecciaPreset& preset) {
     return recipe;
 }
 
-/// Share of space that such veins take.
+/// The share of space that the veins cover.
 float measured_share(const solid::CellVeins& veins) {
     constexpr int points = 20000;
     Random random(veins.cells.key, Purpose::solid_cell, 3000);
@@ -50,18 +50,13 @@ float measured_share(const solid::CellVeins& veins) {
     return float(inside) / points;
 }
 
-SCREE_FOR_PROCESSORS solid::SolidSample breccia_sample(solid::Field field, const Breccia* breccia,
-                                                       const solid::SolidPoint& point) {
-    return solid::breccia_at(field, breccia, point);
-}
-
 std::shared_ptr<const Procedural> make_breccia(const Params& params) {
     const BrecciaPreset& preset = preset_named(breccia_presets(), params);
     const double scale = preset_scale(params);
     const auto lattice = make_lattice(params);
     const GrainRecipe stones = stones_of(params, preset);
     Breccia breccia{};
-    breccia.push = make_push(params, number_or(params, "turbulence", preset.turbulence), 0);
+    breccia.warp = make_warp(params, number_or(params, "turbulence", preset.turbulence), 0);
     breccia.grains = make_grains(params, "fragments", stones, lattice->header());
     breccia.cement = as_triple(color_or(params, "cement", preset.cement));
     breccia.band = as_triple(color_or(params, "band", preset.band));
@@ -91,7 +86,7 @@ std::shared_ptr<const Procedural> make_breccia(const Params& params) {
     breccia.cement_roughness = as_float(std::min(1.0, 1.3 * stones.roughness));
     breccia.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = cells_program({grains_source, breccia_source});
-    return std::make_shared<SolidProcedural<Breccia, breccia_sample>>(
+    return std::make_shared<SolidProcedural<Breccia, solid::breccia_at>>(
         lattice, breccia, SolidKernel{text.c_str(), "Breccia", "breccia_at"});
 }
 
@@ -118,7 +113,7 @@ std::vector<ParamSpec> breccia_specs() {
         preset_number("roughness", "Of the stones; cement is duller.", "", 0, 1),
         {.name = "relief",
          .type = ParamType::number,
-         .doc = "How far the largest stones stand out; 0: polished.",
+         .doc = "Height of the largest stones above the cement; 0: polished.",
          .unit = "m",
          .fallback = 0.0,
          .min = 0.0,

@@ -26,7 +26,7 @@ BrecciaPreset breccia(const char* name, unsigned cement, std::vector<Mineral> st
     return preset;
 }
 
-BrecciaPreset oniciata() { // onyx in bands about the fragments
+BrecciaPreset oniciata() { // onyx in bands around the fragments
     BrecciaPreset preset = breccia("breccia_oniciata", 0x9a5c3c,
                                    {fragment(0xe2c9ae, 0.40, 40), fragment(0xcf9f80, 0.22, 40),
                                     fragment(0xb98263, 0.12, 40), fragment(0xe6d2ba, 0.26, 13),
@@ -94,7 +94,7 @@ BrecciaPreset aurora() {
 } // namespace
 
 const std::vector<BrecciaPreset>& breccia_presets() {
-    // Colours by eye from photographs of polished slabs.
+    // Colours estimated from photographs of polished slabs.
     static const std::vector<BrecciaPreset> presets = {oniciata(), grand_antique(), medicea(),
                                                        pernice(), aurora()};
     return presets;

@@ -1,42 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Beds of sediment: steps of random height along one direction, which a Gaussian filter makes into
-// sums of its own integral. Needs cells.cl.
+// Beds of sediment: a step function of random amounts along one direction. Convolved with a
+// Gaussian filter it is a sum of normal distribution functions. Needs cells.cl.
 
 typedef struct {
     float rate; // 1 / mean thickness [1/m]
     float offset;
     uint key;
-    float share;    // of beds that have something
-    float softness; // deviation with which one goes over into the next, in beds
-    float mean;     // of the amount
+    float share;    // of beds with an amount above 0
+    float softness; // standard deviation of the blur between adjacent beds, in beds
+    float mean;     // mean amount
 } Beds;
 
-// Over a filter: the amount from 0 to 1, and its slope along the direction [1/m].
+// The filtered amount from 0 to 1, and its slope along the direction [1/m].
 typedef struct {
     float value;
     float slope;
-} Bedded;
+} BedSample;
 
 static inline uint bed_bits(uint key, int bed) { return scramble(key + (uint)bed * 0x9e3779b9U); }
 
 static inline float bed_amount(float share, uint bits) {
-    const float u = unit_of(bits);
-    return u < share ? 0.3f + 0.7f * unit_of(scramble(bits + 1U)) : 0.0f;
+    const float u = uniform_of(bits);
+    return u < share ? 0.3f + 0.7f * uniform_of(scramble(bits + 1U)) : 0.0f;
 }
 
-// Where a bed begins, in beds.
+// The coordinate at which a bed begins, in beds.
 static inline float bed_floor(uint key, int bed) {
-    return (float)bed + 0.9f * (unit_of(scramble(bed_bits(key, bed) + 2U)) - 0.5f);
+    return (float)bed + 0.9f * (uniform_of(scramble(bed_bits(key, bed) + 2U)) - 0.5f);
 }
 
 static inline float beds_place(global const Beds* beds, float z) {
-    return limited(z * beds->rate + beds->offset, -1e9f, 1e9f);
+    return clamped(z * beds->rate + beds->offset, -1e9f, 1e9f);
 }
 
-// At z along the direction [m], where the filter deviates by `sigma` [m]; `more_key` tells several
-// piles with one recipe apart.
-static inline Bedded beds_at(global const Beds* beds, uint more_key, float z, float sigma) {
-    Bedded found;
+// The beds at z along the direction [m], filtered with the standard deviation `sigma` [m].
+// `more_key` distinguishes sets of beds with the same recipe.
+static inline BedSample beds_at(global const Beds* beds, uint more_key, float z, float sigma) {
+    BedSample found;
     found.value = beds->mean;
     found.slope = 0.0f;
     const float wide = sqrt(square(sigma * beds->rate) + square(beds->softness)) + 1e-9f;
@@ -46,22 +46,22 @@ static inline Bedded beds_at(global const Beds* beds, uint more_key, float z, fl
     const uint key = beds->key ^ more_key;
     const float p = beds_place(beds, z);
     const int middle = (int)floor(p), reach = 1 + (int)(2.5f * wide + 0.45f);
-    // The amount below all of them, and at each floor a step.
+    // The amount below all beds in reach, then a step at the floor of each.
     float below = bed_amount(beds->share, bed_bits(key, middle - reach - 1));
     float value = below, slope = 0.0f;
     for (int bed = middle - reach; bed <= middle + reach; ++bed) {
         const float amount = bed_amount(beds->share, bed_bits(key, bed));
         const float t = (p - bed_floor(key, bed)) / wide;
-        value += (amount - below) * (t > 4.0f ? 1.0f : t < -4.0f ? 0.0f : normal_share(t));
-        slope += fabs(t) < 4.0f ? (amount - below) * normal_density(t) / wide : 0.0f;
+        value += (amount - below) * (t > 4.0f ? 1.0f : t < -4.0f ? 0.0f : normal_cdf(t));
+        slope += fabs(t) < 4.0f ? (amount - below) * normal_pdf(t) / wide : 0.0f;
         below = amount;
     }
-    found.value = mixed(value, beds->mean, blur);
+    found.value = lerp(value, beds->mean, blur);
     found.slope = slope * beds->rate * (1.0f - blur);
     return found;
 }
 
-// The bed that a place lies in, in beds from the origin.
+// The number of the bed that contains a coordinate, both in beds.
 static inline int bed_of(uint key, float p) {
     const int bed = (int)floor(p);
     return bed_floor(key, bed) > p ? bed - 1 : bed_floor(key, bed + 1) <= p ? bed + 1 : bed;

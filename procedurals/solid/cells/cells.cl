@@ -1,77 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells around scattered seeds (Worley 1996, "A cellular texture basis function"), in a place that
-// the fractal field has pushed about, and how much of a pixel's filter each of them has. One seed
-// lies in each cube of a grid; lengths are counted in such cubes. Needs solid.cl.
+// Voronoi cells around jittered seeds (Worley 1996, "A cellular texture basis function") in a
+// domain warped by the fractal field, and the share of a pixel's filter that each cell covers.
+// There is one seed in each cube of a grid; lengths are in units of these cubes. Needs solid.cl.
 
-#define CELLS_MOST 40
-// Seeds are looked for within; the nearest is never farther than a cube's diagonal. Five cubes
-// along each axis hold all of them: 22 on the average, and never more than 40.
+#define CELLS_MAX_SEEDS 40
+// The search radius for seeds; the nearest is never farther than a cube's diagonal, sqrt(3). Five
+// cubes along each axis cover it: they hold 22 seeds within it on average, and never more than 40.
 #define CELLS_REACH 1.75f
 
-// Three fields, far apart in one lattice, move the place along x, y and z.
+// Domain warping: three uncorrelated parts of one fractal lattice displace a point along x, y and
+// z.
 typedef struct {
     Placement placement;
-    float length; // per unit of D [m]
-} Push;
+    float length; // displacement per unit of D [m]
+} Warp;
 
 typedef struct {
-    Triple position;    // where the filter's middle was pushed from [m]
-    Triple gradient[3]; // of its x, y and z by the object's place
-    Triple across;      // the filter there [m]
+    Triple position;    // the warped position of the filter's centre [m]
+    Triple gradient[3]; // rows of the Jacobian: gradients of its x, y, z in object space
+    Triple across;      // the sides of the filter after warping [m]
     Triple along;
-    float variance;     // of the place within it, beside its sides [m^2]
-    float field;        // the first D, which also drives shades of colour
-    Triple field_slope; // [1/m]
-    uint instance;      // key
-} Pushed;
+    float variance;     // of the position by unresolved levels, in addition to the sides [m^2]
+    float field;        // D of the x displacement, which also drives shades of colour
+    Triple field_slope; // its gradient [1/m]
+    uint instance;      // key of the instance
+} WarpedPoint;
 
-// place = rows * position + offset.
+// A grid of cubes: place = rows * position + offset.
 typedef struct {
     Triple rows[3];
     Triple offset;
-    Triple squares; // of the rows' lengths, which are at right angles
+    Triple squares; // squared lengths of the rows, which are orthogonal
     uint key;
-    float jitter; // 1: seeds lie anywhere in their cubes
+    float jitter; // 0: seeds in the centres of their cubes, 1: anywhere in them
 } Cells;
 
-// The filter as a grid of cells sees it.
+// The filter in the coordinates of a grid.
 typedef struct {
     Triple place;
     Triple across;
     Triple along;
-    Triple variance; // along the grid's axes, beside the sides
-    float width;     // of all that together; a box's
+    Triple variance; // along the grid's axes, in addition to the sides
+    float width;     // of a box filter with the same total variance
     uint key;
 } CellView;
 
 typedef struct {
-    Triple away; // from the place to the seed
-    uint bits;   // random, of the seed
+    Triple away; // vector from the place to the seed
+    uint bits;   // the seed's random bits
 } Seed;
 
-// Those that matter to a filter, the nearest first, and how much of it each has. There is one such
-// list for all that a texture looks up, since devices have little memory of a point's own.
+// The seeds that affect a filter, the nearest first, and the share of the filter in each cell. A
+// texture uses one such list for all its look-ups, since devices have little private memory.
 typedef struct {
     int count;
-    Seed seed[CELLS_MOST + 1];
-    float share[CELLS_MOST];
+    Seed seed[CELLS_MAX_SEEDS + 1];
+    float share[CELLS_MAX_SEEDS];
 } Seeds;
 
-static inline Pushed pushed(Field field, global const Push* push, Triple position, Triple across,
-                            Triple along, float random) {
-    const Placement placement = push->placement;
-    Triple place = plus(turned(placement.rows, position), placement.offset);
-    Pushed found;
+static inline WarpedPoint warp_point(Field field, global const Warp* warp, Triple position,
+                                     Triple across, Triple along, float random) {
+    const Placement placement = warp->placement;
+    Triple place = plus(multiply(placement.rows, position), placement.offset);
+    WarpedPoint found;
     found.instance = 0U;
     if (placement.vary > 0.0f) {
         place = plus(place, triple(random * 47.31f, random * 23.17f, random * 91.73f));
         found.instance = scramble((uint)as_int(random) + 1U);
     }
-    // What is not stored is finer than what shapes a cell.
+    // Levels that are not stored are too fine to affect the shape of a cell.
     const int levels = field.lattice->levels;
     const float width =
         fmax(filter_width(&placement, across, along), 1.41422f / (float)(1 << levels));
-    const float k = push->length;
+    const float k = warp->length;
     const Fluctuation x = fluctuation(field.lattice, field.nodes16, field.nodes32, place, width);
     const Fluctuation y = fluctuation(field.lattice, field.nodes16, field.nodes32,
                                       plus(place, triple(0.37f, 0.71f, 0.19f)), width);
@@ -79,55 +80,57 @@ static inline Pushed pushed(Field field, global const Push* push, Triple positio
                                       plus(place, triple(0.83f, 0.29f, 0.57f)), width);
     found.position = plus(position, triple(k * x.value, k * y.value, k * z.value));
     found.field = x.value;
-    found.field_slope = turned_back(placement.rows, x.gradient);
+    found.field_slope = multiply_transposed(placement.rows, x.gradient);
     Triple* g = found.gradient;
     g[0] = plus(triple(1.0f, 0.0f, 0.0f), scaled(found.field_slope, k));
-    g[1] = plus(triple(0.0f, 1.0f, 0.0f), scaled(turned_back(placement.rows, y.gradient), k));
-    g[2] = plus(triple(0.0f, 0.0f, 1.0f), scaled(turned_back(placement.rows, z.gradient), k));
-    found.across = turned(g, across);
-    found.along = turned(g, along);
-    found.variance = square(k) * fmax(x.variance - field.lattice->left_out[levels], 0.0f);
+    g[1] =
+        plus(triple(0.0f, 1.0f, 0.0f), scaled(multiply_transposed(placement.rows, y.gradient), k));
+    g[2] =
+        plus(triple(0.0f, 0.0f, 1.0f), scaled(multiply_transposed(placement.rows, z.gradient), k));
+    found.across = multiply(g, across);
+    found.along = multiply(g, along);
+    found.variance = square(k) * fmax(x.variance - field.lattice->residual_variance[levels], 0.0f);
     return found;
 }
 
-// The gradient by the object's place of what has this one by the pushed place.
-static inline Triple gradient_before(Pushed place, Triple gradient) {
-    return turned_back(place.gradient, gradient);
+// Transforms a gradient with respect to the warped position to one in object space.
+static inline Triple gradient_before_warp(WarpedPoint place, Triple gradient) {
+    return multiply_transposed(place.gradient, gradient);
 }
 
-static inline CellView cell_view(global const Cells* cells, Pushed at) {
+static inline CellView cell_view(global const Cells* cells, WarpedPoint at) {
     Triple rows[3];
     for (int i = 0; i < 3; ++i)
         rows[i] = cells->rows[i];
-    const float most = 1e9f; // what integers can count
-    const Triple p = plus(turned(rows, at.position), cells->offset);
+    const float limit = 1e9f; // within the range of int
+    const Triple p = plus(multiply(rows, at.position), cells->offset);
     CellView view;
-    view.place =
-        triple(limited(p.x, -most, most), limited(p.y, -most, most), limited(p.z, -most, most));
-    view.across = turned(rows, at.across);
-    view.along = turned(rows, at.along);
+    view.place = triple(clamped(p.x, -limit, limit), clamped(p.y, -limit, limit),
+                        clamped(p.z, -limit, limit));
+    view.across = multiply(rows, at.across);
+    view.along = multiply(rows, at.along);
     const Triple s = cells->squares;
     view.variance = scaled(s, at.variance);
-    view.width = sqrt(fmax(inner(view.across, view.across), inner(view.along, view.along)) +
+    view.width = sqrt(fmax(dot3(view.across, view.across), dot3(view.along, view.along)) +
                       12.0f * at.variance * fmax(s.x, fmax(s.y, s.z)));
     view.key = cells->key ^ at.instance;
     return view;
 }
 
-// The gradient by the pushed place of what has this one by the cells' place.
+// Transforms a gradient with respect to the place in the grid to one by the warped position.
 static inline Triple gradient_of_cells(global const Cells* cells, Triple gradient) {
     return plus(plus(scaled(cells->rows[0], gradient.x), scaled(cells->rows[1], gradient.y)),
                 scaled(cells->rows[2], gradient.z));
 }
 
-// Another random number of a seed.
+// Further random bits of a seed, one set for each use.
 static inline uint seed_bits(Seed seed, uint use) {
     return scramble(seed.bits + use * 0x9e3779b9U);
 }
-static inline float seed_unit(Seed seed, uint use) { return unit_of(seed_bits(seed, use)); }
+static inline float seed_uniform(Seed seed, uint use) { return uniform_of(seed_bits(seed, use)); }
 
-// The five cubes along an axis from near to far, and the squares of how far they are.
-static inline void cubes_from(float share, float* far, int* step) {
+// The five cubes along an axis from near to far: their steps and squared distances.
+static inline void nearest_cubes(float share, float* far, int* step) {
     const int side = share < 0.5f ? -1 : 1;
     const float near = share < 0.5f ? share : 1.0f - share;
     for (int i = 0; i < 5; ++i) {
@@ -138,7 +141,7 @@ static inline void cubes_from(float share, float* far, int* step) {
     }
 }
 
-static inline float far_square(Seed seed) { return inner(seed.away, seed.away); }
+static inline float far_square(Seed seed) { return dot3(seed.away, seed.away); }
 
 static inline Seed seed_in(int x, int y, int z, uint bits, float jitter) {
     const float low = 0.5f - 0.5f * jitter, unit = jitter * (1.0f / 2048.0f);
@@ -150,18 +153,19 @@ static inline Seed seed_in(int x, int y, int z, uint bits, float jitter) {
     return seed;
 }
 
-// Finds the seeds within `reach`, and not farther than the nearest by 2 `margin`, or, if that is
-// more, by `soft` in squares. A border is nearer than half the difference of the distances of two
-// seeds, so that all cells that come within `margin` are among them.
+// Finds the seeds within `reach` whose distance exceeds that of the nearest by at most 2 `margin`,
+// or whose squared distance exceeds it by at most `soft`, whichever is more. The distance of a
+// border is at least half the difference of the distances of its two seeds, so all cells within
+// `margin` are found.
 static inline void gather_seeds(CellView view, float jitter, float reach, float margin, float soft,
                                 Seeds* seeds) {
     const Triple cube = triple(floor(view.place.x), floor(view.place.y), floor(view.place.z));
     const Triple in = minus(view.place, cube);
     float x_far[5], y_far[5], z_far[5];
     int x_step[5], y_step[5], z_step[5];
-    cubes_from(in.x, x_far, x_step);
-    cubes_from(in.y, y_far, y_step);
-    cubes_from(in.z, z_far, z_step);
+    nearest_cubes(in.x, x_far, x_step);
+    nearest_cubes(in.y, y_far, y_step);
+    nearest_cubes(in.z, z_far, z_step);
     float limit = square(reach), nearest = 1e30f;
     int count = 0;
     for (int k = 0; k < 5 && z_far[k] < limit; ++k)
@@ -169,14 +173,15 @@ static inline void gather_seeds(CellView view, float jitter, float reach, float 
             const uint row = scramble(view.key + (uint)((int)cube.y + y_step[j]) * 0x9e3779b9U +
                                       (uint)((int)cube.z + z_step[k]) * 0x85ebca6bU);
             const uint other = row * 0x2c1b3c6dU;
-            for (int i = 0; i < 5 && z_far[k] + y_far[j] + x_far[i] < limit && count < CELLS_MOST;
-                 ++i) {
+            for (int i = 0;
+                 i < 5 && z_far[k] + y_far[j] + x_far[i] < limit && count < CELLS_MAX_SEEDS; ++i) {
                 Seed seed = seed_in(x_step[i], y_step[j], z_step[k],
                                     node_bits(row, other, (uint)((int)cube.x + x_step[i])), jitter);
                 seed.away = minus(seed.away, in);
                 const float far = far_square(seed);
                 const int counts = far < limit ? 1 : 0;
-                // Written first and counted then: no processor foresees which seeds count.
+                // Written unconditionally and counted without a branch, which would be
+                // unpredictable.
                 seeds->seed[count] = seed;
                 if (far < nearest) {
                     nearest = far;
@@ -187,7 +192,7 @@ static inline void gather_seeds(CellView view, float jitter, float reach, float 
                 count += counts;
             }
         }
-    // The limit was wider before the nearest was found.
+    // Removes seeds that were accepted before the nearest one narrowed the limit.
     seeds->count = count > 0 ? 1 : 0;
     for (int i = 1; i < count; ++i) {
         const Seed seed = seeds->seed[i];
@@ -196,31 +201,31 @@ static inline void gather_seeds(CellView view, float jitter, float reach, float 
     }
 }
 
-// Deviation of the filter along a vector, times the vector's length.
+// Standard deviation of the filter along a vector, times the length of the vector.
 static inline float deviation_along(CellView view, Triple v) {
-    return sqrt((square(inner(v, view.across)) + square(inner(v, view.along))) * (1.0f / 12.0f) +
+    return sqrt((square(dot3(v, view.across)) + square(dot3(v, view.along))) * (1.0f / 12.0f) +
                 v.x * v.x * view.variance.x + v.y * v.y * view.variance.y +
                 v.z * v.z * view.variance.z);
 }
 
-// A filter is a box, which sees no border beyond so many deviations; nor are seeds looked for that
-// are farther than the nearest by two of the largest margin.
+// A box filter covers no border beyond this many standard deviations. Seeds are farther than the
+// nearest by at most twice the largest margin.
 #define CELLS_DEVIATIONS 1.9f
 #define CELLS_MARGIN 0.45f
 
-// It is more than 0 for a point too: what no border was found for lies well beyond the gap along
-// borders, not on its edge.
+// Above 0 for unfiltered points too: a point without a border in reach must lie clearly beyond the
+// gap along borders, not on its edge.
 static inline float border_margin(CellView view) {
-    return limited(CELLS_DEVIATIONS * 0.28867513f * view.width, 1e-5f, CELLS_MARGIN);
+    return clamped(CELLS_DEVIATIONS * 0.28867513f * view.width, 1e-5f, CELLS_MARGIN);
 }
 
-// Beyond some cells' width a filter sees nothing but means: 0 to 1.
+// Blend factor towards the mean of space for filters wider than some cells, from 0 to 1.
 static inline float cells_blur(float width) { return smooth(1.2f, 2.4f, width); }
 
-// How much larger the second cell's part of the filter is than the first's, from the plane between
-// them; for one whose seed is farther away. The odds that z deviations of a box leave lie between
-// those of one that is parallel to the plane and those of one that stands on a corner, and end at 0
-// where those end.
+// The ratio of the filter's share in the second cell to that in the first, by the plane between
+// them; the second seed is the farther one. For a plane z standard deviations from the centre of a
+// box filter, the ratio lies between those of a box parallel to the plane and of a box standing on
+// a corner, and reaches 0 where these do.
 static inline float cell_odds(CellView view, Seed first, Seed second) {
     const float z = 0.5f * (far_square(second) - far_square(first)) /
                     (deviation_along(view, minus(second.away, first.away)) + 1e-12f);
@@ -228,9 +233,9 @@ static inline float cell_odds(CellView view, Seed first, Seed second) {
                                 : 0.0f;
 }
 
-// How much of the filter each cell has: the odds of all against the nearest, put together. Where
-// the second is almost as near, those against it count as much, so that nothing jumps as the two
-// change places.
+// Computes the share of the filter in each cell: the normalised ratios to the nearest cell. Where
+// the second nearest seed is almost as near, they are blended with the ratios to that one, so that
+// the result is continuous where the two swap.
 static inline void cell_shares(CellView view, Seeds* seeds) {
     const Seed first = seeds->seed[0];
     const float away = sqrt(far_square(first));
@@ -239,7 +244,7 @@ static inline void cell_shares(CellView view, Seeds* seeds) {
     int kept = 1, second = 0;
     for (int i = 1; i < seeds->count; ++i) {
         const Seed seed = seeds->seed[i];
-        // Where the search ends a share does too.
+        // Fades to 0 at the limit of the search.
         const float share =
             cell_odds(view, first, seed) *
             smooth(2.0f * CELLS_MARGIN, 1.2f * CELLS_MARGIN, sqrt(far_square(seed)) - away);
@@ -262,7 +267,7 @@ static inline void cell_shares(CellView view, Seeds* seeds) {
             const float odds = i == 0        ? 1.0f / seeds->share[second]
                                : i == second ? 1.0f
                                              : cell_odds(view, rival, seeds->seed[i]);
-            seeds->share[i] = mixed(seeds->share[i] / sum, odds / rival_sum, tied);
+            seeds->share[i] = lerp(seeds->share[i] / sum, odds / rival_sum, tied);
         }
         return;
     }
@@ -270,8 +275,8 @@ static inline void cell_shares(CellView view, Seeds* seeds) {
         seeds->share[i] /= sum;
 }
 
-// The plane between the nearest seed's cell and another's: how far it is, and the unit vector away
-// from it.
+// The plane between the cell of the nearest seed and that of seed `i`: its distance, and the unit
+// vector away from it.
 static inline float plane_distance(const Seeds* seeds, int i, Triple* inwards) {
     const Triple between = minus(seeds->seed[i].away, seeds->seed[0].away);
     const float span = length_of(between) + 1e-12f;
@@ -279,8 +284,8 @@ static inline float plane_distance(const Seeds* seeds, int i, Triple* inwards) {
     return 0.5f * (far_square(seeds->seed[i]) - far_square(seeds->seed[0])) / span;
 }
 
-// Distance to the nearest border of the nearest seed's cell, if all seeds within a margin of that
-// distance are known; `none` where there is no other.
+// Distance to the nearest border of the cell, if all seeds within a margin of that distance are
+// known; `none` if there is no other seed.
 static inline float border_distance(const Seeds* seeds, float none, Triple* inwards) {
     float distance = none;
     *inwards = triple(0.0f, 0.0f, 0.0f);

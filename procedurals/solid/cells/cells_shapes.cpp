@@ -12,8 +12,8 @@ namespace scree {
 
 namespace {
 
-/// Of space that balls thrown anywhere fill, one per unit: their radii are smallest + (largest -
-/// smallest) u^2 with u uniform.
+/// The share of space that randomly placed balls fill, one per unit of volume, with radii
+/// smallest + (largest - smallest) u^2 for uniform u.
 double filled_by(const SpotRecipe& recipe) {
     constexpr int steps = 256;
     double volume = 0;

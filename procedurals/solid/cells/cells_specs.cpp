@@ -9,7 +9,7 @@
 
 namespace scree {
 
-solid::Push make_push(const Params& params, double turbulence, unsigned use, double stretch) {
+solid::Warp make_warp(const Params& params, double turbulence, unsigned use, double stretch) {
     return {placement(params, solid_frame(params), 200 + use, 1, stretch),
             as_float(turbulence * cell_length(params))};
 }
@@ -21,7 +21,8 @@ solid::Cells make_cells(const Params& params, unsigned use, double width, double
     solid::Cells cells{};
     cells.key = random.bits();
     cells.jitter = as_float(jitter);
-    // Round cells lie turned any way, so that no face of an object cuts their grid along an axis.
+    // The grid of isotropic cells is rotated randomly, so that it is not aligned with an object's
+    // faces.
     const double turn = random.uniform(0, 2 * pi), tilt = stretch == 1 ? 0.7 : 0;
     const auto along = [](const Vec3& a, double x, const Vec3& b, double y) {
         return a * static_cast<float>(x) + b * static_cast<float>(y);

@@ -1,52 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stone put together of grains: cells of several sizes over one another, each of some mineral or
-// left out, so that smaller ones show there. Needs cells.cl.
+// Stone composed of grains: layers of cells of decreasing size, each cell filled by a mineral or
+// left empty, so that smaller grains are visible there. Needs cells.cl.
 
-#define GRAINS_MOST_KINDS 12
-#define GRAINS_MOST_LAYERS 6
+#define GRAINS_MAX_KINDS 12
+#define GRAINS_MAX_LAYERS 6
 
 typedef struct {
     Triple color;
-    float value;     // what the sample's value is in it
-    float roughness; // below 0: the material's own
-    float variation; // of brightness from grain to grain, to either side
+    float value;     // the sample's value in it
+    float roughness; // negative: that of the material
+    float variation; // of brightness between grains: the factor is 1 +- this
     float facet;     // of brightness across a grain
-    float mottle;    // of brightness by D
-    float until;     // of the grain's normal number, in which kinds follow one another
+    float mottle;    // change of brightness per unit of D
+    float until;     // upper bound of the normal variates of grains of this kind
 } GrainKind;
 
 typedef struct {
     Cells cells;
     Triple cluster_offset;
-    float clusters;          // correlation of a grain's normal number with D where its seed lies
-    float cluster_scale;     // the lattice's cubes in a cell's length
-    float cluster_deviation; // of D's levels that count
-    float gap;               // what is so near a border is left out, in cells; below 0: nothing is
-    float gap_by_field;      // change of the gap's factor per unit of D
-    float radius;            // and what is so far from the seed
-    float rim;               // thickness of the grain's outer part, likewise
-    float rim_share;         // of the rim's colour
+    float clusters;          // correlation of a grain's normal variate with D at its seed
+    float cluster_scale;     // length of a cell in lattice cubes
+    float cluster_deviation; // standard deviation of the levels of D that are used
+    float gap;               // width left empty along borders, in cells; negative: none
+    float gap_by_field;      // relative change of the gap per unit of D
+    float radius;            // maximum distance of a grain from its seed, in cells
+    float rim;               // thickness of the rim of a grain, in cells
+    float rim_share;         // of the rim colour in the rim
     Triple rim_color;
-    float whole; // measured: share of space that grains would fill if no cell were left out
-    float core;  // and of the grains without their rims
-    int first;   // of its kinds
-    int end;
+    float whole; // share of space inside gap and radius, if all cells have grains: measured
+    float core;  // the same without the rims
+    int first;   // index of its first kind
+    int end;     // one beyond its last kind
 } GrainLayer;
 
 typedef struct {
     int layers;
-    GrainLayer layer[GRAINS_MOST_LAYERS];
-    GrainKind kind[GRAINS_MOST_KINDS];
+    GrainLayer layer[GRAINS_MAX_LAYERS];
+    GrainKind kind[GRAINS_MAX_KINDS];
 } Grains;
 
-// A layer's part in the filter: colours and numbers are multiplied by its share.
+// A layer's contribution to the filter: colour, value and roughness are weighted by its share.
 typedef struct {
     Triple color;
     float value;
     float roughness;
     float share;
-    float border;   // distance to the nearest, in cells, where it was asked for
-    Triple inwards; // in cells
+    float border;   // distance to the nearest border, in cells, if requested
+    Triple inwards; // unit vector away from it, in the grid's coordinates
 } GrainShare;
 
 static inline void add_grain(GrainShare* sum, global const GrainKind* kind, float brightness,
@@ -57,12 +57,12 @@ static inline void add_grain(GrainShare* sum, global const GrainKind* kind, floa
     sum->share += share;
 }
 
-// D's first levels alone, at one look-up.
+// The first levels of D only, by a single look-up.
 #define GRAINS_CLUSTER_LEVEL 3
 
 static inline float coarse_field(Field field, Triple place) {
     global const Lattice* lattice = field.lattice;
-    const Triple p = within_reach(lattice, place);
+    const Triple p = into_domain(lattice, place);
     if (is_stored(lattice, p) && lattice->levels >= GRAINS_CLUSTER_LEVEL)
         return stored_field(lattice, field.nodes16, field.nodes32, GRAINS_CLUSTER_LEVEL, p).value;
     return fluctuation(lattice, field.nodes16, field.nodes32, place,
@@ -70,19 +70,20 @@ static inline float coarse_field(Field field, Triple place) {
         .value;
 }
 
-// Normal number of a grain: by itself, and by D where its seed lies, so that minerals crowd.
+// The normal variate of a grain, correlated with D at its seed, so that minerals form clusters.
 static inline float grain_number(Field field, global const GrainLayer* layer, CellView view,
                                  Seed seed) {
-    const float own = normal_variate(seed_bits(seed, 1U));
+    const float independent = normal_variate(seed_bits(seed, 1U));
     const float r = layer->clusters;
     if (r == 0.0f)
-        return own;
+        return independent;
     const Triple place =
         plus(scaled(plus(view.place, seed.away), layer->cluster_scale), layer->cluster_offset);
-    return r * coarse_field(field, place) / layer->cluster_deviation + sqrt(1.0f - r * r) * own;
+    return r * coarse_field(field, place) / layer->cluster_deviation +
+           sqrt(1.0f - r * r) * independent;
 }
 
-// The kind of a cell's grain, or -1.
+// The kind of a cell's grain; -1: the cell is empty.
 static inline int grain_kind(global const Grains* grains, global const GrainLayer* layer,
                              float number) {
     for (int i = layer->first; i < layer->end; ++i)
@@ -91,7 +92,7 @@ static inline int grain_kind(global const Grains* grains, global const GrainLaye
     return -1;
 }
 
-// What space looks like from afar: its share `whole` of grains, of every kind as many as its part
+// Adds the mean over space: grains cover the share `whole`, divided among the kinds by their parts
 // of the normal distribution.
 static inline void add_mean_grains(global const Grains* grains, global const GrainLayer* layer,
                                    float share, GrainShare* sum) {
@@ -99,7 +100,7 @@ static inline void add_mean_grains(global const Grains* grains, global const Gra
     const float rims = layer->rim_share * (layer->whole - layer->core);
     for (int i = layer->first; i < layer->end; ++i) {
         global const GrainKind* kind = &grains->kind[i];
-        const float until = normal_share(kind->until);
+        const float until = normal_cdf(kind->until);
         const float part = share * (until - below);
         add_grain(sum, kind, 1.0f, part * layer->whole);
         sum->color = plus(sum->color, scaled(minus(layer->rim_color, kind->color), part * rims));
@@ -107,8 +108,9 @@ static inline void add_mean_grains(global const Grains* grains, global const Gra
     }
 }
 
-// What of its cell a grain has that begins `gap` from the borders and ends at `radius`: of the part
-// that the filter sees, by the plane between this cell and the other that it sees most of.
+// The share of a cell that its grain covers, which lies at least `gap` from the borders and within
+// `radius` of the seed. Within the filter it is estimated from the plane between this cell and the
+// most important other one.
 static inline float grain_inside(CellView view, const Seeds* seeds, int i, float border,
                                  Triple inwards, float gap, float radius, float whole) {
     const float wide = smooth(0.12f, 0.5f, 0.28867513f * view.width);
@@ -120,31 +122,31 @@ static inline float grain_inside(CellView view, const Seeds* seeds, int i, float
     const Triple to_seed = seeds->seed[i].away;
     const float away = length_of(to_seed) + 1e-12f;
     const float z = (radius - away) / (deviation_along(view, to_seed) / away + 1e-9f);
-    float inside = z > 4.0f ? 1.0f : z < -4.0f ? 0.0f : normal_share(z);
+    float inside = z > 4.0f ? 1.0f : z < -4.0f ? 0.0f : normal_cdf(z);
     if (border < gap + 4.0f * sigma)
-        inside *= fmin(
-            normal_share((border - gap) / sigma) / (normal_share(border / sigma) + 1e-9f), 1.0f);
-    return mixed(inside, whole, wide);
+        inside *=
+            fmin(normal_cdf((border - gap) / sigma) / (normal_cdf(border / sigma) + 1e-9f), 1.0f);
+    return lerp(inside, whole, wide);
 }
 
 static inline float grain_brightness(global const GrainKind* kind, Seed seed, float d) {
     const uint bits = seed_bits(seed, 2U);
     const Triple way = triple((float)(bits & 1023U) - 512.0f,
                               (float)((bits >> 10) & 1023U) - 512.0f, (float)(bits >> 22) - 512.0f);
-    const float slant = limited(inner(way, seed.away) * (1.0f / 512.0f), -1.0f, 1.0f);
-    return fmax(1.0f + kind->variation * (2.0f * seed_unit(seed, 3U) - 1.0f) + kind->facet * slant +
-                    kind->mottle * d,
+    const float slant = clamped(dot3(way, seed.away) * (1.0f / 512.0f), -1.0f, 1.0f);
+    return fmax(1.0f + kind->variation * (2.0f * seed_uniform(seed, 3U) - 1.0f) +
+                    kind->facet * slant + kind->mottle * d,
                 0.0f);
 }
 
-// The gap where it is broad or narrow by D.
-static inline float grain_gap(global const GrainLayer* layer, Pushed at) {
+// The gap, modulated by D.
+static inline float grain_gap(global const GrainLayer* layer, WarpedPoint at) {
     return layer->gap * (1.0f + layer->gap_by_field * at.field);
 }
 
-// The layer through the filter. `asked` is how far from borders the caller looks, in cells.
+// The filtered layer. `asked` is the distance up to which the caller needs borders, in cells.
 static inline GrainShare grain_layer(Field field, global const Grains* grains,
-                                     global const GrainLayer* layer, Pushed at, float asked,
+                                     global const GrainLayer* layer, WarpedPoint at, float asked,
                                      Seeds* seeds) {
     GrainShare sum;
     sum.color = sum.inwards = triple(0.0f, 0.0f, 0.0f);
@@ -191,9 +193,9 @@ static inline GrainShare grain_layer(Field field, global const Grains* grains,
     return sum;
 }
 
-// All layers over one another: `covered` is the share of the filter that they fill together.
-static inline SolidSample all_grains(Field field, global const Grains* grains, int from, Pushed at,
-                                     Seeds* seeds, float* covered) {
+// All layers from `from` composited; `covered` is the share of the filter that they cover.
+static inline SolidSample all_grains(Field field, global const Grains* grains, int from,
+                                     WarpedPoint at, Seeds* seeds, float* covered) {
     SolidSample sample = no_sample();
     float clear = 1.0f;
     for (int i = from; i < grains->layers && clear > 1e-3f; ++i) {

@@ -10,7 +10,7 @@ namespace scree {
 
 namespace {
 
-/// The normal distribution's share below x, turned round.
+/// The inverse of the normal distribution function.
 double normal_quantile(double share) {
     double low = -9, high = 9;
     for (int i = 0; i < 60; ++i) {
@@ -24,8 +24,8 @@ double lightness(const Color& c) {
     return 0.2126 * double(c.x) + 0.7152 * double(c.y) + 0.0722 * double(c.z);
 }
 
-/// Shares of space that are farther than the gap from borders and within the radius, with and
-/// without the rim.
+/// Measures the shares of space beyond the gap from borders and within the radius, with and without
+/// the rim.
 void measure_outline(solid::GrainLayer& layer, std::uint32_t seed) {
     constexpr int points = 20000;
     Random random(seed, Purpose::solid_cell, 1000);
@@ -65,11 +65,11 @@ solid::GrainLayer make_layer(const Params& params, const GrainRecipe& recipe, un
     layer.cells = make_cells(params, 10 + index, width, 1, recipe.jitter);
     Random random(layer.cells.key, Purpose::solid_cell, 2000);
     layer.cluster_offset = {random.uniform_float(), random.uniform_float(), random.uniform_float()};
-    // Crowds some grains across; the lattice's cube holds nine.
+    // Clusters are some grains wide: the lattice's cube is nine grains wide.
     layer.clusters = as_float(recipe.clusters);
     layer.cluster_scale = 1.0F / 9;
-    layer.cluster_deviation =
-        std::sqrt(std::max(1e-6F, lattice.left_out[0] - lattice.left_out[GRAINS_CLUSTER_LEVEL]));
+    layer.cluster_deviation = std::sqrt(std::max(
+        1e-6F, lattice.residual_variance[0] - lattice.residual_variance[GRAINS_CLUSTER_LEVEL]));
     GrainOutline outline;
     if (index < recipe.outlines.size())
         outline = recipe.outlines[index];
@@ -90,7 +90,7 @@ solid::GrainLayer make_layer(const Params& params, const GrainRecipe& recipe, un
 solid::Grains make_grains(const Params& params, const std::string& field, GrainRecipe recipe,
                           const solid::Lattice& lattice) {
     std::vector<Mineral>& minerals = recipe.minerals;
-    if (minerals.size() > GRAINS_MOST_KINDS)
+    if (minerals.size() > GRAINS_MAX_KINDS)
         throw params.error(field, "has more than 12 kinds");
     std::stable_sort(minerals.begin(), minerals.end(),
                      [](const Mineral& a, const Mineral& b) { return a.size > b.size; });
@@ -100,20 +100,20 @@ solid::Grains make_grains(const Params& params, const std::string& field, GrainR
         light = std::max(light, lightness(mineral.color));
         dark = std::min(dark, lightness(mineral.color));
     }
-    if (!recipe.whole) // shares are then of the stone
+    if (!recipe.whole) // shares are then of the whole stone
         rest = std::max(1.0, rest);
     solid::Grains grains{};
     double taken = 0, left = rest;
     for (std::size_t i = 0; i < minerals.size(); ++i) {
         const Mineral& mineral = minerals[i];
         if (i == 0 || mineral.size < minerals[i - 1].size) {
-            if (grains.layers == GRAINS_MOST_LAYERS)
+            if (grains.layers == GRAINS_MAX_LAYERS)
                 throw params.error(field, "has more than 6 sizes");
             const auto index = static_cast<unsigned>(grains.layers);
             solid::GrainLayer& layer = grains.layer[grains.layers++];
             layer = make_layer(params, recipe, index, mineral.size, lattice);
             layer.first = layer.end = static_cast<int>(i);
-            left = rest; // what larger grains leave, all of which this size may fill
+            left = rest; // the share that larger grains leave to this size
             taken = 0;
         }
         solid::GrainLayer& layer = grains.layer[grains.layers - 1];
@@ -144,7 +144,7 @@ ParamSpec minerals_spec(std::string name, std::string doc) {
             .fields = {{.name = "color", .type = ParamType::color, .doc = "Its colour."},
                        {.name = "share",
                         .type = ParamType::number,
-                        .doc = "Its part of the stone, against those of the others.",
+                        .doc = "Its share of the stone, relative to the others.",
                         .fallback = 1.0,
                         .min = 0.0,
                         .above_min = true},

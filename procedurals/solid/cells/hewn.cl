@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rough surface whose height is the fractal field itself. Needs solid.cl.
+// A rough-hewn surface, whose height is the fractal field. Needs solid.cl.
 
-// Mean over space of the square of the gradient of T_n / L_n, in halves of that level's
-// cells (measured).
+// Mean over space of the squared gradient of T_n / L_n, per half cell of that level (measured).
 #define HEWN_MEAN_SQUARE 2.6f
 
 typedef struct {
     Placement placement;
-    float height; // of a unit of D [m]
+    float height; // per unit of D [m]
 } Hewn;
 
-// Perceptual roughness where bumps of that mean squared slope are no longer seen: the normals'
-// variance adds to that of the facets (Toksvig 2005, "Mipmapping normal maps"; Olano & Baker 2010,
-// "LEAN mapping"), which is alpha^2 / 2 along each direction; two of a slope's three components lie
-// in the surface.
+// The perceptual roughness after bumps with the mean squared slope `lost` were filtered out: the
+// variance of the normals adds to that of the microfacets (Toksvig 2005, "Mipmapping normal maps";
+// Olano & Baker 2010, "LEAN mapping"), which is alpha^2 / 2 along each direction. Two of the three
+// components of a slope are tangential to the surface.
 static inline float roughened(float roughness, float lost) {
     if (roughness < 0.0f || !(lost > 0.0f))
         return roughness;
     return fmin(sqrt(sqrt(square(square(roughness)) + 0.6666667f * lost)), 1.0f);
 }
 
-// Adds the height, and what the filter leaves out of the slope to the roughness.
+// Adds the height and slope of the rough surface; slopes that the filter removes add to the
+// roughness.
 static inline void hew(Field field, global const Hewn* hewn, Triple position, Triple across,
                        Triple along, float random, SolidSample* sample) {
     if (hewn->height == 0.0f)
@@ -35,10 +35,10 @@ static inline void hew(Field field, global const Hewn* hewn, Triple position, Tr
     const float resolved = resolved_level(field.lattice, width);
     float lost = 0.0f;
     for (int level = levels; level > 0 && (float)level > resolved; --level) {
-        const float share = fmin((float)level - resolved, 1.0f); // not taken, in amplitude
+        const float share = fmin((float)level - resolved, 1.0f); // removed amplitude
         lost += HEWN_MEAN_SQUARE * share * (2.0f - share) *
-                square(field.lattice->spread[level] * (float)(1 << level));
+                square(field.lattice->amplitude[level] * (float)(1 << level));
     }
-    lost *= inner(placement.rows[0], placement.rows[0]) * square(hewn->height);
+    lost *= dot3(placement.rows[0], placement.rows[0]) * square(hewn->height);
     sample->roughness = roughened(sample->roughness, lost);
 }

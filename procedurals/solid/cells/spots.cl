@@ -1,45 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Balls about some seeds: pores, knobs, or, in stretched cells, flat or long ones. Needs cells.cl.
+// Balls around some seeds: pores and knobs, flattened or elongated in stretched cells. Needs
+// cells.cl.
 
 typedef struct {
     Cells cells;
-    float share;    // of seeds that have one
+    float share;    // of seeds that have a spot
     float smallest; // radius, in cells
     float largest;
-    float edge; // deviation of the place of its edge; above 0 it has a slope
-    float mean; // of space
+    float edge; // standard deviation of the blur of its edge; above 0 the edge has a slope
+    float mean; // share of space covered by spots
 } Spots;
 
-// Over a filter: how much of it lies in a ball, and how that changes.
+// The share of the filter covered by spots, and its gradient.
 typedef struct {
     float share;
-    Triple slope; // in cells
-} Spotted;
+    Triple slope; // in the grid's coordinates
+} SpotSample;
 
-// Part of one ball: the normal distribution's beyond its edge, and for a filter as wide as the ball
-// the part of a disk within a two-dimensional one. It fades out where the search ends.
-static inline Spotted ball_part(CellView view, Seed seed, float radius, float edge, float reach,
-                                Triple normal) {
-    Spotted part;
+// The share of the filter covered by one ball: for a small filter the normal distribution function
+// of the distance from its edge; for a filter as wide as the ball, the overlap of a disk with a
+// two-dimensional Gaussian. Fades to 0 at the limit of the search.
+static inline SpotSample ball_part(CellView view, Seed seed, float radius, float edge, float reach,
+                                   Triple normal) {
+    SpotSample part;
     const float away = length_of(seed.away) + 1e-9f;
     const float blur = deviation_along(view, seed.away) / away;
     const float sigma = sqrt(square(blur) + square(edge)) + 1e-9f;
     const float z = (radius - away) / sigma;
-    part.share = z > 4.0f ? 1.0f : z < -4.0f ? 0.0f : normal_share(z);
-    part.slope = scaled(seed.away, fabs(z) < 4.0f ? normal_density(z) / (sigma * away) : 0.0f);
+    part.share = z > 4.0f ? 1.0f : z < -4.0f ? 0.0f : normal_cdf(z);
+    part.slope = scaled(seed.away, fabs(z) < 4.0f ? normal_pdf(z) / (sigma * away) : 0.0f);
     const float wide = smooth(0.35f, 0.9f, 0.28867513f * view.width / radius);
     if (wide > 0.0f) {
-        const float height = inner(normal, seed.away);
+        const float height = dot3(normal, seed.away);
         const float disk = fmax(square(radius) - square(height), 0.0f);
         const Triple flat = minus(seed.away, scaled(normal, height));
-        const float u = inner(flat, view.across), v = inner(flat, view.along);
-        const float uu = inner(view.across, view.across) + 1e-12f;
-        const float vv = inner(view.along, view.along) + 1e-12f;
+        const float u = dot3(flat, view.across), v = dot3(flat, view.along);
+        const float uu = dot3(view.across, view.across) + 1e-12f;
+        const float vv = dot3(view.along, view.along) + 1e-12f;
         const float spread_u = disk + uu * (1.0f / 6.0f), spread_v = disk + vv * (1.0f / 6.0f);
         const float soft =
             disk / sqrt(spread_u * spread_v + 1e-20f) *
             exp(-u * u / (uu * spread_u + 1e-20f) - v * v / (vv * spread_v + 1e-20f));
-        part.share = mixed(part.share, soft, wide);
+        part.share = lerp(part.share, soft, wide);
         part.slope = plus(scaled(part.slope, 1.0f - wide),
                           scaled(plus(scaled(view.across, u / (uu * spread_u + 1e-20f)),
                                       scaled(view.along, v / (vv * spread_v + 1e-20f))),
@@ -52,23 +54,23 @@ static inline Spotted ball_part(CellView view, Seed seed, float radius, float ed
 }
 
 static inline float spot_radius(global const Spots* spots, Seed seed) {
-    return mixed(spots->smallest, spots->largest, square(seed_unit(seed, 5U)));
+    return lerp(spots->smallest, spots->largest, square(seed_uniform(seed, 5U)));
 }
 
-static inline Spotted no_spot(void) {
-    Spotted none;
+static inline SpotSample no_spot(void) {
+    SpotSample none;
     none.share = 0.0f;
     none.slope = triple(0.0f, 0.0f, 0.0f);
     return none;
 }
 
-// Adds a part, as if it knew nothing of those before.
-static inline void add_spot(Spotted* sum, Spotted part) {
+// Adds the share of a ball, assuming that it is independent of the others.
+static inline void add_spot(SpotSample* sum, SpotSample part) {
     sum->slope = plus(scaled(sum->slope, 1.0f - part.share), scaled(part.slope, 1.0f - sum->share));
     sum->share = 1.0f - (1.0f - sum->share) * (1.0f - part.share);
 }
 
-// How far seeds are looked for.
+// The search radius for seeds.
 static inline float spots_reach(global const Spots* spots, CellView view) {
     return fmin(1.2f * (spots->largest + 3.0f * spots->edge) + 2.5f * 0.28867513f * view.width,
                 CELLS_REACH);
@@ -80,8 +82,8 @@ static inline Triple filter_normal(CellView view) {
     return scaled(n, 1.0f / (length_of(n) + 1e-20f));
 }
 
-static inline Spotted spots_at(global const Spots* spots, Pushed at, Seeds* seeds) {
-    Spotted sum = no_spot();
+static inline SpotSample spots_at(global const Spots* spots, WarpedPoint at, Seeds* seeds) {
+    SpotSample sum = no_spot();
     if (!(spots->share > 0.0f))
         return sum;
     const CellView view = cell_view(&spots->cells, at);
@@ -92,13 +94,13 @@ static inline Spotted spots_at(global const Spots* spots, Pushed at, Seeds* seed
         gather_seeds(view, spots->cells.jitter, reach, CELLS_REACH, 0.0f, seeds);
         for (int i = 0; i < seeds->count; ++i) {
             const Seed seed = seeds->seed[i];
-            if (seed_unit(seed, 4U) < spots->share)
+            if (seed_uniform(seed, 4U) < spots->share)
                 add_spot(&sum, ball_part(view, seed, spot_radius(spots, seed), spots->edge, reach,
                                          normal));
         }
     }
-    sum.share = mixed(sum.share, spots->mean, blur);
+    sum.share = lerp(sum.share, spots->mean, blur);
     sum.slope =
-        gradient_before(at, gradient_of_cells(&spots->cells, scaled(sum.slope, 1.0f - blur)));
+        gradient_before_warp(at, gradient_of_cells(&spots->cells, scaled(sum.slope, 1.0f - blur)));
     return sum;
 }

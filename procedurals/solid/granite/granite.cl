@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Granite: crystals of minerals, the large ones first, whose borders the fractal field pushes
-// about. Needs grains.cl and hewn.cl.
+// Granite: crystals of minerals in layers of decreasing size, whose borders are warped by the
+// fractal field. Needs grains.cl and hewn.cl.
 
 typedef struct {
-    Push push;
+    Warp warp;
     Hewn hewn;
     int filtered;
     Grains grains;
@@ -11,7 +11,7 @@ typedef struct {
 
 static inline SolidSample granite_part(Field field, global const Granite* granite, Triple position,
                                        Triple across, Triple along, float random) {
-    const Pushed at = pushed(field, &granite->push, position, across, along, random);
+    const WarpedPoint at = warp_point(field, &granite->warp, position, across, along, random);
     Seeds seeds;
     float covered;
     SolidSample sample = all_grains(field, &granite->grains, 0, at, &seeds, &covered);

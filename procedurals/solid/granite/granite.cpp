@@ -2,9 +2,9 @@
 #include "procedurals/solid/granite/granite.h"
 
 #include "procedurals/solid/cells/grains_source.h"
+#include "procedurals/solid/granite/granite_as_cpp.h"
 #include "procedurals/solid/granite/granite_presets.h"
 #include "procedurals/solid/granite/granite_source.h"
-#include "procedurals/solid/granite/granite_text.h"
 #include "procedurals/solid/solid_procedural.h"
 
 namespace scree {
@@ -13,7 +13,7 @@ namespace {
 
 using solid::Granite;
 
-/// The preset's minerals, or the user's, at the sizes that this texture's scale makes of them.
+/// The minerals of the preset or those given by the user, scaled to this texture.
 GrainRecipe recipe_of(const Params& params, const GranitePreset& preset) {
     GrainRecipe recipe = preset.grains;
     double largest = 0;
@@ -31,22 +31,17 @@ GrainRecipe recipe_of(const Params& params, const GranitePreset& preset) {
     return recipe;
 }
 
-SCREE_FOR_PROCESSORS solid::SolidSample granite_sample(solid::Field field, const Granite* granite,
-                                                       const solid::SolidPoint& point) {
-    return solid::granite_at(field, granite, point);
-}
-
 std::shared_ptr<const Procedural> make_granite(const Params& params) {
     const GranitePreset& preset = preset_named(granite_presets(), params);
     const auto lattice = make_lattice(params);
     const GrainRecipe recipe = recipe_of(params, preset);
     Granite granite{};
-    granite.push = make_push(params, number_or(params, "turbulence", preset.turbulence), 0);
+    granite.warp = make_warp(params, number_or(params, "turbulence", preset.turbulence), 0);
     granite.hewn = make_hewn(params, params.number("relief"), 4 * recipe.minerals.front().size);
     granite.filtered = params.flag("filtered") ? 1 : 0;
     granite.grains = make_grains(params, "minerals", recipe, lattice->header());
     static const std::string text = cells_program({grains_source, granite_source});
-    return std::make_shared<SolidProcedural<Granite, granite_sample>>(
+    return std::make_shared<SolidProcedural<Granite, solid::granite_at>>(
         lattice, granite, SolidKernel{text.c_str(), "Granite", "granite_at"});
 }
 

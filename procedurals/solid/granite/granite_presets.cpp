@@ -33,8 +33,8 @@ GranitePreset baltic_brown() { // rapakivi: round feldspars with greenish rims
 } // namespace
 
 const std::vector<GranitePreset>& granite_presets() {
-    // Colours by eye from photographs of polished slabs; shares and sizes of feldspars, quartz and
-    // mica as their names in geology allow.
+    // Colours estimated from photographs of polished slabs; shares and sizes of feldspars, quartz
+    // and mica within the ranges of their rock types.
     static const std::vector<GranitePreset> presets = {
         granite("bianco_sardo",
                 {mineral(0xd8d1c8, 0.30, 9, 0.10, 0.10), mineral(0xe6e2db, 0.24, 5.5, 0.06),
@@ -47,7 +47,7 @@ const std::vector<GranitePreset>& granite_presets() {
         granite("nero_africa",
                 {mineral(0x1b1c1f, 0.50, 4, 0.35, 0.2), mineral(0x34373a, 0.32, 3, 0.3, 0.3),
                  mineral(0x585c60, 0.12, 2, 0.3, 0.3), mineral(0x0e0f10, 0.06, 1.5, 0.2)}),
-        granite("blue_pearl", // larvikite, whose feldspars shine blue
+        granite("blue_pearl", // larvikite, with iridescent blue feldspars
                 {mineral(0x3c4854, 0.36, 13, 0.35, 0.5, 0.8),
                  mineral(0x7d93a8, 0.16, 11, 0.3, 0.6, 0.7), mineral(0x4b4a4a, 0.20, 8, 0.25, 0.3),
                  mineral(0x191b1f, 0.20, 5, 0.4, 0.1, 1.4), mineral(0x5a6570, 0.08, 2.5, 0.3)}),

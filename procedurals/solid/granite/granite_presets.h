@@ -5,7 +5,7 @@
 
 namespace scree {
 
-/// A granite as quarries sell it, polished.
+/// A commercial polished granite, with real dimensions.
 struct GranitePreset {
     std::string name;
     GrainRecipe grains;

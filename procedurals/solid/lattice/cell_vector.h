@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Included by lattice_text.h: the trilinear field of one cell, four lanes at a time. The same
-// operations in the same order as cell_field_plainly, so the same bits.
+// The lattice's kernel on the host, with the trilinear field of one cell, four lanes at a time: the
+// same operations in the same order as cell_field_plainly, so the same bits.
+#pragma once
+
+#include "core/float4.h"
+#include "procedurals/solid/lattice/lattice_as_cpp.h"
+
+#include <cstring>
+
+namespace scree::solid {
 
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
-// What both ends of the cell's four edges along x hold.
+// The nodes at both ends of the cell's four edges along x.
 struct CellEnds {
     Float4 low, high;
 };
@@ -43,15 +51,17 @@ inline Fluctuation cell_field(const short* nodes16, const float* nodes32, int fi
     const CellEnds ends = cell_ends(nodes16, nodes32, first, stride, side, step);
     const Float4 across = ends.high - ends.low;
     const Float4 along = ends.low + across * in.x;
-    // The edges at the cell's near y and those at its far y: values, then slopes along x.
+    // The edges at the cell's near y and at its far y: values, then slopes along x.
     const Float4 near_y = __builtin_shufflevector(along, across, 0, 2, 4, 6);
     const Float4 far_y = __builtin_shufflevector(along, across, 1, 3, 5, 7);
     const Float4 rise = far_y - near_y;
-    const Float4 faces = near_y + rise * in.y; // value near and far, slope along x near and far
-    // Float4: value, slopes along x and y, from the near face to the far one.
+    const Float4 faces = near_y + rise * in.y; // values, then slopes along x, of near and far z
+    // Value, slope along x, slope along y at the near and the far z.
     const Float4 near_z = __builtin_shufflevector(faces, rise, 0, 2, 4, 4);
     const Float4 far_z = __builtin_shufflevector(faces, rise, 1, 3, 5, 5);
     const Float4 climb = far_z - near_z;
     const Float4 found = near_z + climb * in.z;
     return {found[0], scaled(triple(found[1], found[2], climb[0]), cells), 0.0F};
 }
+
+} // namespace scree::solid

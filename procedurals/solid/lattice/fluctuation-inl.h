@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fractal field at several points, one in each lane, each through a filter of its own: the
-// operations of lattice.cl one by one, so that the bits are those of the scalar text. For files
-// compiled by Highway's foreach_target; as that header's *-inl.h files, it is read anew for every
-// target.
+// The fractal field at several points, one in each lane, each with its own filter. The operations
+// are those of lattice.cl in the same order, so the results are bit-identical. For files compiled
+// by Highway's foreach_target, which includes this again for every target.
 #if defined(SCREE_FLUCTUATION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCREE_FLUCTUATION_INL_H
 #undef SCREE_FLUCTUATION_INL_H
@@ -33,10 +32,10 @@ HWY_INLINE V gathered(const float* table, I index) {
 }
 
 /// a + (b - a) share.
-HWY_INLINE V mixed(V a, V b, V share) { return hn::Add(a, hn::Mul(hn::Sub(b, a), share)); }
+HWY_INLINE V lerp(V a, V b, V share) { return hn::Add(a, hn::Mul(hn::Sub(b, a), share)); }
 
-/// Within [low, high].
-HWY_INLINE V limited(V v, float low, float high) {
+/// v clamped to [low, high].
+HWY_INLINE V clamped(V v, float low, float high) {
     return hn::Min(hn::Max(v, all(low)), all(high));
 }
 
@@ -54,16 +53,16 @@ HWY_INLINE Triples minus(const Triples& a, const Triples& b) {
 HWY_INLINE Triples scaled(const Triples& a, V s) {
     return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
 }
-HWY_INLINE V inner(const Triples& a, const Triples& b) {
+HWY_INLINE V dot3(const Triples& a, const Triples& b) {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 HWY_INLINE Triples chosen(Mask mask, const Triples& yes, const Triples& no) {
     return {chosen(mask, yes.x, no.x), chosen(mask, yes.y, no.y), chosen(mask, yes.z, no.z)};
 }
-HWY_INLINE Triples turned(const solid::Triple* rows, const Triples& v) {
-    return {inner(all(rows[0]), v), inner(all(rows[1]), v), inner(all(rows[2]), v)};
+HWY_INLINE Triples multiply(const solid::Triple* rows, const Triples& v) {
+    return {dot3(all(rows[0]), v), dot3(all(rows[1]), v), dot3(all(rows[2]), v)};
 }
-HWY_INLINE Triples turned_back(const solid::Triple* rows, const Triples& v) {
+HWY_INLINE Triples multiply_transposed(const solid::Triple* rows, const Triples& v) {
     return plus(plus(scaled(all(rows[0]), v.x), scaled(all(rows[1]), v.y)),
                 scaled(all(rows[2]), v.z));
 }
@@ -74,14 +73,14 @@ struct Fluctuations {
     V variance;
 };
 
-/// Nodes of 16 bits that hold whole levels: the lattice's own or the tile's.
+/// 16-bit nodes of complete levels: those of the lattice or of the tile.
 struct Nodes {
     const std::int16_t* first;
     int levels;
     float step;
 };
 
-/// See nodes_field; a level for every lane.
+/// See nodes_field; with one level per lane.
 HWY_INLINE Fluctuations nodes_field(const Nodes& nodes, I level, const Triples& p) {
     const Reals d;
     const Ints di;
@@ -95,7 +94,7 @@ HWY_INLINE Fluctuations nodes_field(const Nodes& nodes, I level, const Triples& 
     const auto number = [&](V v) { return hn::And(hn::ConvertTo(di, v), mask); };
     I node = hn::Add(number(cell.y), hn::Mul(side, number(cell.z)));
     node = hn::Mul(stride, hn::Add(number(cell.x), hn::Mul(side, node)));
-    // Two nodes in 32 bits, at places in bytes.
+    // Loads two adjacent nodes as one word of 32 bits.
     const auto pair_at = [&](I place) {
         return hn::GatherOffset(di, reinterpret_cast<const std::int32_t*>(nodes.first),
                                 hn::Add(place, place));
@@ -113,14 +112,14 @@ HWY_INLINE Fluctuations nodes_field(const Nodes& nodes, I level, const Triples& 
         far_x[i] = value(neighbours ? hn::ShiftRight<16>(both)
                                     : low(pair_at(hn::Add(corners[i], stride))));
     }
-    const auto across = [&](int i) { return mixed(near_x[i], far_x[i], in.x); };
+    const auto across = [&](int i) { return lerp(near_x[i], far_x[i], in.x); };
     const auto rise = [&](int i) { return hn::Sub(far_x[i], near_x[i]); };
     const V a = across(0), b = across(1), c = across(2), e = across(3);
-    const V near = mixed(a, b, in.y), far = mixed(c, e, in.y);
-    const V dx_near = mixed(rise(0), rise(1), in.y), dx_far = mixed(rise(2), rise(3), in.y);
-    const Triples slope{mixed(dx_near, dx_far, in.z), mixed(hn::Sub(b, a), hn::Sub(e, c), in.z),
+    const V near = lerp(a, b, in.y), far = lerp(c, e, in.y);
+    const V dx_near = lerp(rise(0), rise(1), in.y), dx_far = lerp(rise(2), rise(3), in.y);
+    const Triples slope{lerp(dx_near, dx_far, in.z), lerp(hn::Sub(b, a), hn::Sub(e, c), in.z),
                         hn::Sub(far, near)};
-    return {mixed(near, far, in.z), scaled(slope, cells), all(0.0F)};
+    return {lerp(near, far, in.z), scaled(slope, cells), all(0.0F)};
 }
 
 /// See rough_log2.
@@ -135,27 +134,27 @@ HWY_INLINE V rough_log2(V v) {
 
 /// See resolved_level.
 HWY_INLINE V resolved_level(const solid::Lattice& lattice, V width) {
-    const auto most = static_cast<float>(lattice.finest);
+    const auto finest = static_cast<float>(lattice.finest);
     const V level = chosen(hn::Gt(width, all(0.0F)),
-                           limited(hn::Sub(all(0.5F), rough_log2(width)), 0, most), all(most));
-    return chosen(hn::Lt(level, all(static_cast<float>(lattice.own))), level,
+                           clamped(hn::Sub(all(0.5F), rough_log2(width)), 0, finest), all(finest));
+    return chosen(hn::Lt(level, all(static_cast<float>(lattice.unique_levels))), level,
                   hn::Floor(hn::Add(level, all(0.5F))));
 }
 
-/// Whether `fluctuation` below knows this kind of lattice: one that repeats, has nodes of 16 bits,
-/// and draws no level on demand.
+/// Whether `fluctuation` below supports the lattice: it must be periodic, have 16-bit nodes and
+/// store all its unique levels.
 HWY_INLINE bool in_lanes(const solid::Field& field) {
     const solid::Lattice& lattice = *field.lattice;
     return std::endian::native == std::endian::little && lattice.step > 0 && lattice.repeats != 0 &&
-           lattice.levels == lattice.own;
+           lattice.levels == lattice.unique_levels;
 }
 
 /// See add_tile.
 HWY_INLINE void add_tile(const solid::Field& field, I last, const Triples& p, Fluctuations& sum) {
     const solid::Lattice& lattice = *field.lattice;
     const Nodes tile{field.nodes16 + lattice.tile, TILE_COARSE + TILE_LEVELS, lattice.tile_step};
-    auto scale = static_cast<float>(1 << (lattice.own - TILE_COARSE));
-    for (int base = lattice.own; base < lattice.finest;
+    auto scale = static_cast<float>(1 << (lattice.unique_levels - TILE_COARSE));
+    for (int base = lattice.unique_levels; base < lattice.finest;
          base += TILE_LEVELS, scale *= static_cast<float>(1 << TILE_LEVELS)) {
         const I more = hn::Sub(last, all(base));
         const Mask finer = hn::RebindMask(Reals(), hn::Gt(more, all(0)));
@@ -164,10 +163,12 @@ HWY_INLINE void add_tile(const solid::Field& field, I last, const Triples& p, Fl
         const I levels =
             hn::Add(all(TILE_COARSE), hn::Max(hn::Min(more, all(TILE_LEVELS)), all(0)));
         const Fluctuations found = nodes_field(tile, levels, scaled(p, all(scale)));
-        const float spread = lattice.spread[base + 1];
-        sum.value = chosen(finer, hn::Add(sum.value, hn::Mul(found.value, all(spread))), sum.value);
-        sum.gradient = chosen(
-            finer, plus(sum.gradient, scaled(found.gradient, all(spread * scale))), sum.gradient);
+        const float amplitude = lattice.amplitude[base + 1];
+        sum.value =
+            chosen(finer, hn::Add(sum.value, hn::Mul(found.value, all(amplitude))), sum.value);
+        sum.gradient =
+            chosen(finer, plus(sum.gradient, scaled(found.gradient, all(amplitude * scale))),
+                   sum.gradient);
     }
 }
 
@@ -185,36 +186,37 @@ HWY_INLINE Fluctuations fluctuation(const solid::Field& field, Triples p, V widt
     if (any(between)) {
         const I next = hn::Min(hn::Add(whole, all(1)), all(lattice.levels));
         const Fluctuations finer = nodes_field(stored, next, p);
-        sum.value = chosen(between, mixed(sum.value, finer.value, share), sum.value);
+        sum.value = chosen(between, lerp(sum.value, finer.value, share), sum.value);
         sum.gradient = chosen(
             between,
             plus(scaled(sum.gradient, hn::Sub(all(1.0F), share)), scaled(finer.gradient, share)),
             sum.gradient);
     }
     add_tile(field, whole, p, sum);
-    const V next = gathered(lattice.spread, hn::Add(whole, all(1)));
+    const V next = gathered(lattice.amplitude, hn::Add(whole, all(1)));
     V taken = hn::Mul(hn::Mul(hn::Mul(share, share), next), next);
     taken = hn::Mul(taken, all(lattice.mean_square));
-    sum.variance = hn::Sub(gathered(lattice.left_out, whole), taken);
+    sum.variance = hn::Sub(gathered(lattice.residual_variance, whole), taken);
     return sum;
 }
 
 /// See filter_width.
 HWY_INLINE V filter_width(const solid::Placement& placement, const Triples& across,
                           const Triples& along) {
-    const auto length = [](const Triples& v) { return hn::Sqrt(inner(v, v)); };
-    return hn::Max(length(turned(placement.rows, across)), length(turned(placement.rows, along)));
+    const auto length = [](const Triples& v) { return hn::Sqrt(dot3(v, v)); };
+    return hn::Max(length(multiply(placement.rows, across)),
+                   length(multiply(placement.rows, along)));
 }
 
 /// See fluctuation_at.
 HWY_INLINE Fluctuations fluctuation_at(const solid::Field& field, const solid::Placement& placement,
                                        const Triples& position, V width, V random) {
-    Triples place = plus(turned(placement.rows, position), all(placement.offset));
+    Triples place = plus(multiply(placement.rows, position), all(placement.offset));
     if (placement.vary > 0)
         place = plus(place, {hn::Mul(random, all(47.31F)), hn::Mul(random, all(23.17F)),
                              hn::Mul(random, all(91.73F))});
     Fluctuations found = fluctuation(field, place, width);
-    found.gradient = turned_back(placement.rows, found.gradient);
+    found.gradient = multiply_transposed(placement.rows, found.gradient);
     return found;
 }
 

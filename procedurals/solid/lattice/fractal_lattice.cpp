@@ -22,31 +22,31 @@ Lattice make_header(const LatticeSettings& settings) {
     header.key_b = random.bits();
     header.repeats = settings.repeats ? 1 : 0;
     header.levels = settings.levels;
-    header.own = std::max(settings.levels, 7);
-    header.finest = std::min(settings.levels + settings.detail, LATTICE_MOST_LEVELS - 2);
+    header.unique_levels = std::max(settings.levels, 7);
+    header.finest = std::min(settings.levels + settings.detail, LATTICE_MAX_LEVELS - 2);
     header.mean_square = static_cast<float>(mean_square_of_level());
-    double left_out = 0;
+    double residual_variance = 0;
     for (int level = header.finest; level >= 0; --level) {
-        const double spread = std::exp(-(level - 1) * settings.decay);
-        header.spread[level] = static_cast<float>(spread);
-        header.left_out[level] = static_cast<float>(left_out);
-        left_out += spread * spread * mean_square_of_level();
+        const double amplitude = std::exp(-(level - 1) * settings.decay);
+        header.amplitude[level] = static_cast<float>(amplitude);
+        header.residual_variance[level] = static_cast<float>(residual_variance);
+        residual_variance += amplitude * amplitude * mean_square_of_level();
     }
     return header;
 }
 
 constexpr int tile_levels = TILE_COARSE + TILE_LEVELS;
 
-/// The tile as a lattice of its own: its coarse levels are zero, the others are in units of the
-/// first of them.
+/// The tile as a separate lattice: its coarse levels are zero, the others are in units of the first
+/// non-zero one.
 Lattice tile_header(const Lattice& header) {
     Lattice tile = header;
     tile.repeats = 1;
     tile.levels = tile_levels;
-    tile.drawn_from = header.own - TILE_COARSE;
+    tile.level_offset = header.unique_levels - TILE_COARSE;
     for (int level = 0; level <= tile_levels; ++level)
-        tile.spread[level] =
-            level <= TILE_COARSE ? 0 : header.spread[level - TILE_COARSE] / header.spread[1];
+        tile.amplitude[level] =
+            level <= TILE_COARSE ? 0 : header.amplitude[level - TILE_COARSE] / header.amplitude[1];
     return tile;
 }
 
@@ -54,9 +54,9 @@ Lattice tile_header(const Lattice& header) {
 
 FractalLattice::FractalLattice(const LatticeSettings& settings)
     : header_(make_header(settings)), count_(node_count(header_.levels)) {
-    const std::size_t own = count_;
-    if (header_.finest > header_.own) {
-        header_.tile = static_cast<int>(own);
+    const std::size_t tile_start = count_;
+    if (header_.finest > header_.unique_levels) {
+        header_.tile = static_cast<int>(tile_start);
         count_ += node_count(tile_levels);
     }
     Lattice tile = tile_header(header_);
@@ -64,13 +64,13 @@ FractalLattice::FractalLattice(const LatticeSettings& settings)
         nodes16_ = large_array<std::int16_t>(count_ + node_padding);
         make_nodes(header_, nodes16_.get());
         if (header_.tile > 0)
-            make_nodes(tile, nodes16_.get() + own);
+            make_nodes(tile, nodes16_.get() + tile_start);
         header_.tile_step = tile.step;
     } else {
         nodes32_ = large_array<float>(count_ + node_padding);
         make_nodes(header_, nodes32_.get());
         if (header_.tile > 0)
-            make_nodes(tile, nodes32_.get() + own);
+            make_nodes(tile, nodes32_.get() + tile_start);
     }
 }
 
@@ -82,8 +82,8 @@ float FractalLattice::node(int x, int y, int z) const {
 }
 
 double mean_square_of_level() {
-    // The weights are products of one linear function per half of an axis, their squares of degree
-    // 2, and Gauss's rule of two points is exact to degree 3.
+    // In each half of an axis the weights are products of linear functions, so their squares have
+    // degree 2 per axis, for which Gauss's two-point rule (exact up to degree 3) is exact.
     constexpr double low = 0.5 - 0.28867513459481287, high = 0.5 + 0.28867513459481287;
     const float places[4] = {low / 2, high / 2, 0.5F + low / 2, 0.5F + high / 2};
     static const double mean = [&] {
@@ -95,9 +95,9 @@ double mean_square_of_level() {
                     solid::axis_weights(x, wx, unused);
                     solid::axis_weights(y, wy, unused);
                     solid::axis_weights(z, wz, unused);
-                    for (float& g : unit) { // each variate by itself: they are independent
+                    for (float& g : unit) { // variances of independent variates add
                         g = 1;
-                        const double weight = double(solid::carried(unit, wx, wy, wz));
+                        const double weight = double(solid::field_of_variates(unit, wx, wy, wz));
                         sum += weight * weight / 64;
                         g = 0;
                     }

@@ -8,8 +8,8 @@
 
 namespace scree {
 
-/// Calls work(inputs..., out, count) for all points by counts that are multiples of 64, at least
-/// the lanes of any vector: what is left over is padded by zeros.
+/// Calls work(inputs..., out, count) for all points, with counts that are multiples of 64 and so of
+/// the lanes of any vector. The last points are padded with zeros.
 template <class Work, class... Inputs>
 void in_groups(const Work& work, std::span<float> out, const Inputs&... inputs) {
     constexpr std::size_t group = 64;

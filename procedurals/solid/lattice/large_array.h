@@ -16,8 +16,8 @@ struct FreeMemory {
 template <class T>
 using LargeArray = std::unique_ptr<T[], FreeMemory>;
 
-/// Numbers that are not yet written, on large pages where the system has them: a table that is read
-/// here and there costs less, and so does writing it for the first time. Aligned to 64 bytes.
+/// An uninitialised array, on huge pages if the system supports them, which makes random access and
+/// the first write faster. Aligned to at least 64 bytes.
 template <class T>
 LargeArray<T> large_array(std::size_t count) {
     constexpr std::size_t page = std::size_t(2) << 20;
@@ -28,7 +28,7 @@ LargeArray<T> large_array(std::size_t count) {
         throw std::bad_alloc();
 #ifdef MADV_HUGEPAGE
     if (alignment == page)
-        madvise(memory, size, MADV_HUGEPAGE); // only advice: nothing is lost where it fails
+        madvise(memory, size, MADV_HUGEPAGE); // optional: failures are ignored
 #endif
     return LargeArray<T>(static_cast<T*>(memory));
 }

@@ -12,7 +12,7 @@ namespace {
 
 using solid::Lattice;
 
-/// Adds one level to nodes that hold all levels before it.
+/// Adds one level to nodes that hold all previous levels.
 class LevelMaker {
   public:
     LevelMaker(const Lattice& lattice, float* nodes, int level)
@@ -23,7 +23,8 @@ class LevelMaker {
     }
 
     // A node with n odd coordinates is the mean of its 2 n neighbours along those axes, which have
-    // n - 1 of them: first the edges' midpoints, then the centres of faces, then of cubes.
+    // n - 1 odd coordinates. So midpoints of edges come first, then centres of faces, then of
+    // cubes.
     void make() {
         for (std::uint32_t odd = 1; odd <= 3; ++odd)
             for (std::uint32_t z = 0; z <= cells_; ++z)
@@ -47,7 +48,7 @@ class LevelMaker {
 
         const std::uint32_t mask = solid::node_mask(&lattice_, level_);
         const std::uint32_t row = solid::row_bits(
-            lattice_.key_a, static_cast<std::uint32_t>(solid::drawn_level(&lattice_, level_)),
+            lattice_.key_a, static_cast<std::uint32_t>(solid::source_level(&lattice_, level_)),
             y & mask, z & mask);
         const std::uint32_t other = solid::scramble(row + lattice_.key_b);
         float* node = nodes_ + first * steps_[0] + y * steps_[1] + z * steps_[2];
@@ -56,7 +57,7 @@ class LevelMaker {
             for (std::size_t i = 1; i < count; ++i)
                 sum += *(node - axes[i]) + *(node + axes[i]);
             const float g = solid::normal_variate(solid::node_bits(row, other, x & mask));
-            *node = sum * share + g * lattice_.spread[level_];
+            *node = sum * share + g * lattice_.amplitude[level_];
         }
     }
 
@@ -67,7 +68,7 @@ class LevelMaker {
     std::array<std::size_t, 3> steps_; // to the level's next node along x, y, z
 };
 
-/// The greatest size of the nodes that are there before the last level.
+/// The largest absolute value of the nodes before the last level.
 float largest_before_last(const Lattice& header, const std::vector<float>& nodes) {
     const std::size_t side = (std::size_t(1) << header.levels) + 1;
     const std::size_t stride = header.levels > 0 ? 2 : 1;
@@ -96,7 +97,7 @@ void make_nodes_plainly(Lattice& header, std::int16_t* nodes) {
     make_nodes_plainly(header, floats.data());
     header.step = step_of_nodes(header, largest_before_last(header, floats));
     const float inverse = 1 / header.step;
-    for (std::size_t i = 0; i < floats.size(); ++i) // halves to even, as vectors round
+    for (std::size_t i = 0; i < floats.size(); ++i) // rounds half to even, as vector code does
         nodes[i] = static_cast<std::int16_t>(std::lrint(floats[i] * inverse));
 }
 

@@ -33,7 +33,7 @@ LatticeQuads::LatticeQuads(const FractalLattice& lattice, int level)
                 if (y > 0)
                     steepest = std::max(steepest, std::abs(node(x, y, z) - node(x, y - 1, z)));
             }
-    // 16-bit nodes stay what they are unless a difference does not fit.
+    // 16-bit nodes are copied unchanged unless a difference does not fit into 16 bits.
     const bool as_they_are = lattice.header().step > 0 && steepest <= 32767 * lattice.header().step;
     step_ = as_they_are ? lattice.header().step : std::max(largest, steepest) / 32766;
     error_ = (as_they_are ? 0 : 0.5F * step_) + steepest * 0x1p-16F + largest * 0x1p-20F;
@@ -54,10 +54,10 @@ LatticeQuads::LatticeQuads(const FractalLattice& lattice, int level)
                 }
 }
 
-// A lattice that does not repeat has no nodes there.
+// The field outside the first cube of a lattice that is not periodic, where no nodes are stored.
 float LatticeQuads::value_outside(const Triple& place) const {
     const Lattice& header = lattice_.header();
-    const Triple p = solid::within_reach(&header, place);
+    const Triple p = solid::into_domain(&header, place);
     solid::Fluctuation sum = solid::corner_field(&header, p);
     solid::add_levels(&header, 1, level_, 0, p, &sum);
     return sum.value;
@@ -69,7 +69,7 @@ void LatticeQuads::fluctuations(std::span<const float> x, std::span<const float>
     const Lattice& header = lattice_.header();
     if (scalar_path_in_use()) {
         for (std::size_t i = 0; i < out.size(); ++i) {
-            const Triple p = solid::within_reach(&header, {x[i], y[i], z[i]});
+            const Triple p = solid::into_domain(&header, {x[i], y[i], z[i]});
             out[i] = solid::is_stored(&header, p)
                          ? solid::stored_field(&header, lattice_.nodes16().data(),
                                                lattice_.nodes32().data(), level_, p)

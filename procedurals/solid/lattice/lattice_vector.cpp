@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lattice's nodes, row by row in vectors. Each level is made from the one before into an array
-// of its own, plane by plane: rows are kept apart into even and odd nodes, so that whatever a node
-// leans on lies side by side in memory, and woven together when they are written.
+// Vectorised computation of the lattice's nodes, row by row. Each level is computed from the
+// previous one into a separate array, plane by plane. Even and odd nodes of a row are kept in
+// separate arrays, so that the neighbours of consecutive nodes are contiguous, and are interleaved
+// when the row is written.
 #include "procedurals/solid/lattice/large_array.h"
 #include "procedurals/solid/lattice/lattice_nodes.h"
 #include "procedurals/solid/lattice/vector_path.h"
@@ -23,7 +24,7 @@ namespace scree::HWY_NAMESPACE {
 
 using solid::Lattice;
 
-#if HWY_TARGET == HWY_SCALAR // no vectors at all
+#if HWY_TARGET == HWY_SCALAR // no vector instructions
 
 void make_floats(const Lattice& header, float* nodes) { make_nodes_plainly(header, nodes); }
 void make_shorts(Lattice& header, std::int16_t* nodes) { make_nodes_plainly(header, nodes); }
@@ -33,7 +34,7 @@ void make_shorts(Lattice& header, std::int16_t* nodes) { make_nodes_plainly(head
 using Reals = hn::ScalableTag<float>;
 using Words = hn::RebindToUnsigned<Reals>;
 
-/// A row's nodes of even and of odd x.
+/// The nodes of a row with even and with odd x.
 struct Row {
     const float* even = nullptr;
     const float* odd = nullptr;
@@ -44,7 +45,7 @@ struct Plane {
     std::vector<Row> rows;
 };
 
-/// Makes one level's planes from the whole level before.
+/// Computes the planes of one level from the previous level.
 class LevelPlanes {
   public:
     LevelPlanes(const Lattice& lattice, int level, const float* coarse)
@@ -59,7 +60,7 @@ class LevelPlanes {
         return {std::vector<float>(2 * pitch_ * size()), std::vector<Row>(size())};
     }
 
-    /// A plane that the level before has too.
+    /// A plane with even z, which the previous level has too.
     void make_even(std::size_t z, Plane& plane) const {
         const float* coarse = coarse_ + z / 2 * (cells_ + 1) * (cells_ + 1);
         for (std::size_t y = 0; y < size(); y += 2) {
@@ -77,7 +78,7 @@ class LevelPlanes {
         }
     }
 
-    /// The plane between two of these.
+    /// The plane with odd z between two of these.
     void make_odd(std::size_t z, const Plane& before, const Plane& after, Plane& plane) const {
         for (std::size_t y = 0; y < size(); y += 2) {
             const auto [low, high] = std::pair(before.rows[y], after.rows[y]);
@@ -97,18 +98,19 @@ class LevelPlanes {
   private:
     std::uint32_t row_bits(std::size_t y, std::size_t z) const {
         return solid::row_bits(
-            lattice_.key_a, static_cast<std::uint32_t>(solid::drawn_level(&lattice_, level_)),
+            lattice_.key_a, static_cast<std::uint32_t>(solid::source_level(&lattice_, level_)),
             static_cast<std::uint32_t>(y) & mask_, static_cast<std::uint32_t>(z) & mask_);
     }
 
-    /// A row's variates, in the place where its nodes will stand.
+    /// Writes the variates of a row to where its nodes will be stored.
     std::pair<float*, float*> draw(Plane& plane, std::size_t y, std::size_t z) const {
         float* even = plane.memory.data() + 2 * y * pitch_;
         float* odd = even + pitch_;
         const std::uint32_t row = row_bits(y, z);
         const std::uint32_t other = solid::scramble(row + lattice_.key_b);
         draw<2>(row, other, {even, odd});
-        const auto last = static_cast<std::uint32_t>(2 * cells_); // one more than there are cells
+        const auto last =
+            static_cast<std::uint32_t>(2 * cells_); // one more than the number of cells
         even[cells_] = lattice_.repeats != 0
                            ? even[0]
                            : solid::normal_variate(solid::node_bits(row, other, last));
@@ -120,7 +122,8 @@ class LevelPlanes {
         draw<1>(row + 0x9e3779b1U, solid::scramble(row + lattice_.key_b), {odd});
     }
 
-    /// Variates from x = 0 on: nodes of x = 0, 2, ... to the first place, 1, 3, ... to the second.
+    /// Writes variates from x = 0: those of x = 0, 2, ... to the first place, of x = 1, 3, ... to
+    /// the second.
     template <std::size_t places>
     HWY_INLINE void draw(std::uint32_t row, std::uint32_t other_bits,
                          const std::array<float*, places>& to) const {
@@ -142,43 +145,43 @@ class LevelPlanes {
     template <std::size_t sources>
     using From = std::array<const float*, sources>;
 
-    /// The mean of the sources plus g L, where the variates g stand.
+    /// Replaces the variates g by the mean of the sources plus g L.
     template <std::size_t sources>
     HWY_INLINE void add_mean(const From<sources>& from, float* nodes) const {
         const Reals d;
         const auto share = hn::Set(d, 1.0F / static_cast<float>(sources));
-        const auto spread = hn::Set(d, lattice_.spread[level_]);
+        const auto amplitude = hn::Set(d, lattice_.amplitude[level_]);
         for (std::size_t i = 0; i < cells_; i += hn::Lanes(d)) {
             auto sum = hn::Add(hn::LoadU(d, from[0] + i), hn::LoadU(d, from[1] + i));
             for (std::size_t pair = 2; pair < sources; pair += 2)
                 sum = hn::Add(
                     sum, hn::Add(hn::LoadU(d, from[pair] + i), hn::LoadU(d, from[pair + 1] + i)));
-            hn::StoreU(hn::Add(hn::Mul(sum, share), hn::Mul(hn::LoadU(d, nodes + i), spread)), d,
+            hn::StoreU(hn::Add(hn::Mul(sum, share), hn::Mul(hn::LoadU(d, nodes + i), amplitude)), d,
                        nodes + i);
         }
     }
 
-    /// The same, for one node more.
+    /// The same for a single node.
     template <std::size_t sources>
     HWY_INLINE void add_mean_to_ends(const From<sources>& from, float* nodes) const {
         float sum = from[0][cells_] + from[1][cells_];
         for (std::size_t pair = 2; pair < sources; pair += 2)
             sum += from[pair][cells_] + from[pair + 1][cells_];
         const float last =
-            sum * (1.0F / static_cast<float>(sources)) + nodes[cells_] * lattice_.spread[level_];
+            sum * (1.0F / static_cast<float>(sources)) + nodes[cells_] * lattice_.amplitude[level_];
         add_mean(from, nodes);
         nodes[cells_] = last;
     }
 
     const Lattice& lattice_;
     int level_;
-    std::size_t cells_; // of the level before
+    std::size_t cells_; // of the previous level, per axis
     const float* coarse_;
     std::uint32_t mask_;
-    std::size_t pitch_; // of half a row
+    std::size_t pitch_; // distance of the even and the odd nodes of a row
 };
 
-/// Weaves rows as they are.
+/// Interleaves rows unchanged.
 struct WriteFloats {
     float* nodes;
 
@@ -197,7 +200,7 @@ HWY_INLINE std::int16_t rounded(float v) {
     return static_cast<std::int16_t>(hn::GetLane(hn::NearestInt(hn::Set(d, v))));
 }
 
-/// Weaves rows rounded to 16 bits: the odd node is the upper half of a 32-bit word.
+/// Interleaves rows rounded to 16 bits: the odd node is the upper half of a 32-bit word.
 struct WriteShorts {
     std::int16_t* nodes;
     float inverse; // of the step
@@ -219,7 +222,7 @@ struct WriteShorts {
     }
 };
 
-/// Makes a level from the one before and hands its rows to `write`, in order.
+/// Computes a level from the previous one and passes its rows to `write`, in order.
 template <class Write>
 void make_level(const Lattice& lattice, int level, const float* coarse, Write write) {
     const LevelPlanes planes(lattice, level, coarse);
@@ -239,7 +242,7 @@ void make_level(const Lattice& lattice, int level, const float* coarse, Write wr
     }
 }
 
-/// All levels up to `last`; at least the corners.
+/// All levels up to `last`, at least the corners, as floats.
 LargeArray<float> levels_up_to(const Lattice& header, int last) {
     LargeArray<float> nodes = large_array<float>(8 + node_padding);
     for (std::uint32_t corner = 0; corner < 8; ++corner)

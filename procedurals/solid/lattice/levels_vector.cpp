@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Levels that are not stored, at one point, as renders near a surface ask them: the variates of all
-// levels' nodes together, and each level's value and gradient as the four lanes of a vector. The
-// bits are those of add_levels_plainly.
-#include "procedurals/solid/lattice/lattice_text.h"
+// Levels that are not stored, at a single point, as needed in close-ups. The variates of all levels
+// are computed together; the value and gradient of each level are the four lanes of a vector. The
+// results are bit-identical to those of add_levels_plainly.
+#include "procedurals/solid/lattice/fluctuation_as_cpp.h"
 #include "procedurals/solid/lattice/vector_path.h"
 
 #include <array>
@@ -21,7 +21,7 @@ using solid::Fluctuation;
 using solid::Lattice;
 using solid::Triple;
 
-#if HWY_TARGET == HWY_SCALAR // no vectors at all
+#if HWY_TARGET == HWY_SCALAR // no vector instructions
 
 void add_levels(const Lattice* lattice, int first, int last, float share, Triple p,
                 Fluctuation* sum) {
@@ -34,15 +34,16 @@ using Reals = hn::CappedTag<float, 16>;
 using Words = hn::RebindToUnsigned<Reals>;
 using Four = hn::FixedTag<float, 4>;
 
-// A level asks for 19 nodes of a cell: of the 27 all but the corners. The rows along x through the
-// cell's middle and its faces' have three of them, the others, its edges, have one.
+// A level needs 19 of the 27 nodes of a cell, all but the corners. Five rows along x, through the
+// centre of the cell and of its faces, have three of them; the four edges have one each.
 constexpr std::size_t long_rows = 5, all_rows = 9, all_nodes = 3 * long_rows + 4;
 constexpr std::uint32_t rows_y[all_rows] = {1, 0, 1, 2, 1, 0, 2, 0, 2};
 constexpr std::uint32_t rows_z[all_rows] = {0, 1, 1, 1, 2, 0, 0, 2, 2};
-// In memory: the long rows' first nodes, their last ones, and the middle nodes of all rows.
+// Order in memory: first nodes of the long rows, last nodes of the long rows, middle nodes of all
+// rows.
 constexpr std::size_t places[3] = {0, 2 * long_rows, long_rows};
 
-/// Where the variate of a node stands whose number is x + 3 y + 9 z.
+/// The index in memory of the variate of node number x + 3 y + 9 z.
 constexpr auto place_of = [] {
     std::array<std::size_t, 27> place{};
     for (std::size_t row = 0; row < all_rows; ++row)
@@ -52,20 +53,22 @@ constexpr auto place_of = [] {
     return place;
 }();
 
-constexpr std::size_t most = LATTICE_MOST_LEVELS;
-constexpr std::size_t beyond = 16; // what vectors write and read behind the last number
+constexpr std::size_t max_levels = LATTICE_MAX_LEVELS;
+constexpr std::size_t beyond = 16; // elements that vectors access beyond the last one
 
-/// The rows of all levels' cells, their nodes, and the nodes' variates.
-struct Cells {
-    std::uint32_t y[all_rows * most + beyond], z[all_rows * most + beyond];
-    std::uint32_t row[all_rows * most + beyond], other[all_rows * most + beyond];
-    std::uint32_t x[3][most]; // of the nodes along a row
-    std::uint32_t node[all_nodes * most + beyond], node_other[all_nodes * most + beyond];
-    float g[all_nodes * most + beyond];
+/// The rows and nodes of the cells of all levels, and the variates of the nodes.
+struct LevelCells {
+    std::uint32_t y[all_rows * max_levels + beyond], z[all_rows * max_levels + beyond];
+    std::uint32_t row[all_rows * max_levels + beyond], other[all_rows * max_levels + beyond];
+    std::uint32_t x[3][max_levels]; // of the nodes along a row
+    std::uint32_t node[all_nodes * max_levels + beyond],
+        node_other[all_nodes * max_levels + beyond];
+    float g[all_nodes * max_levels + beyond];
     std::size_t count = 0;
 };
 
-HWY_INLINE void add_cell(Cells& cells, const Lattice& lattice, int level, int cx, int cy, int cz) {
+HWY_INLINE void add_cell(LevelCells& cells, const Lattice& lattice, int level, int cx, int cy,
+                         int cz) {
     const std::uint32_t mask = solid::node_mask(&lattice, level);
     const auto at = [mask](int cell, std::uint32_t node) {
         return (2 * static_cast<std::uint32_t>(cell) + node) & mask;
@@ -75,7 +78,7 @@ HWY_INLINE void add_cell(Cells& cells, const Lattice& lattice, int level, int cx
         cells.x[i][cells.count] = at(cx, i) * 0x9e3779b1U;
         y[i] = lattice.key_a + at(cy, i) * 0x9e3779b9U;
         z[i] = at(cz, i) * 0x85ebca6bU +
-               static_cast<std::uint32_t>(solid::drawn_level(&lattice, level)) * 0xc2b2ae35U;
+               static_cast<std::uint32_t>(solid::source_level(&lattice, level)) * 0xc2b2ae35U;
     }
     for (std::size_t row = 0; row < all_rows; ++row) {
         cells.y[all_rows * cells.count + row] = y[rows_y[row]];
@@ -84,7 +87,7 @@ HWY_INLINE void add_cell(Cells& cells, const Lattice& lattice, int level, int cx
     ++cells.count;
 }
 
-/// `count` numbers plus one, and whatever follows up to a multiple of 4.
+/// Copies `count` numbers, each increased by `plus`, and further ones up to a multiple of 4.
 HWY_INLINE void copy(const std::uint32_t* from, std::size_t count, std::uint32_t plus,
                      std::uint32_t* to) {
     const hn::FixedTag<std::uint32_t, 4> d;
@@ -93,7 +96,7 @@ HWY_INLINE void copy(const std::uint32_t* from, std::size_t count, std::uint32_t
 }
 
 /// See row_bits, node_bits and normal_variate.
-HWY_INLINE void draw(Cells& cells, const Lattice& lattice) {
+HWY_INLINE void draw(LevelCells& cells, const Lattice& lattice) {
     const Reals d;
     const Words du;
     const auto key = hn::Set(du, lattice.key_b);
@@ -105,7 +108,7 @@ HWY_INLINE void draw(Cells& cells, const Lattice& lattice) {
         hn::StoreU(scramble(du, hn::Add(row, key)), du, cells.other + i);
     }
     for (std::size_t cell = 0; cell < cells.count; ++cell)
-        for (const std::size_t x : {0, 2, 1}) { // the last is written over by nobody
+        for (const std::size_t x : {0, 2, 1}) { // ascending in memory: each overrun is overwritten
             const std::size_t rows = x == 1 ? all_rows : long_rows;
             const std::size_t to = all_nodes * cell + places[x];
             copy(cells.row + all_rows * cell, rows, cells.x[x][cell], cells.node + to);
@@ -118,10 +121,10 @@ HWY_INLINE void draw(Cells& cells, const Lattice& lattice) {
     }
 }
 
-/// What a cell's variates mean at a place in it: the value and the slopes along x, y and z in the
-/// four lanes; `x`, `y`, `z` are each lane's weights. See carried.
-HWY_INLINE hn::Vec<Four> carried(const float* variates, const hn::Vec<Four>* x,
-                                 const hn::Vec<Four>* y, const hn::Vec<Four>* z) {
+/// The field of a cell from its variates: the value and the slopes along x, y and z in the four
+/// lanes. `x`, `y`, `z` are the weights of each lane. See `field_of_variates`.
+HWY_INLINE hn::Vec<Four> field_of_variates(const float* variates, const hn::Vec<Four>* x,
+                                           const hn::Vec<Four>* y, const hn::Vec<Four>* z) {
     using V = hn::Vec<Four>;
     const Four d;
     const auto g = [&](std::size_t node) { return hn::Set(d, variates[place_of[node]]); };
@@ -140,9 +143,9 @@ HWY_INLINE hn::Vec<Four> carried(const float* variates, const hn::Vec<Four>* x,
                                    hn::Mul(faces[2][side], g(9 * i + 4))));
     }
     const V quarter = hn::Set(d, 0.25F);
-    const auto edge = [&](V own, V one, V another, std::size_t node) {
-        const V all = hn::Add(own, hn::Mul(quarter, hn::Add(one, another)));
-        sum = hn::Add(sum, hn::Mul(all, g(node)));
+    const auto edge = [&](V product, V face_a, V face_b, std::size_t node) {
+        const V total = hn::Add(product, hn::Mul(quarter, hn::Add(face_a, face_b)));
+        sum = hn::Add(sum, hn::Mul(total, g(node)));
     };
     for (std::size_t b = 0; b < 2; ++b)
         for (std::size_t a = 0; a < 2; ++a) {
@@ -162,8 +165,8 @@ void add_levels(const Lattice* lattice, int first, int last, float share, Triple
         ++last;
     else
         share = 1;
-    Cells cells;
-    float fractions[LATTICE_MOST_LEVELS][3];
+    LevelCells cells;
+    float fractions[LATTICE_MAX_LEVELS][3];
     for (int level = first; level <= last; ++level) {
         const auto width = static_cast<float>(1 << (level - 1));
         const float x = p.x * width, y = p.y * width, z = p.z * width;
@@ -183,17 +186,19 @@ void add_levels(const Lattice* lattice, int first, int last, float share, Triple
         for (std::size_t axis = 0; axis < 3; ++axis) {
             float weight[3], slope[3];
             solid::axis_weights(fractions[level - first][axis], weight, slope);
-            const auto own = hn::Eq(hn::Iota(d, 0), hn::Set(d, static_cast<float>(axis + 1)));
+            const auto derived = hn::Eq(hn::Iota(d, 0), hn::Set(d, static_cast<float>(axis + 1)));
             for (std::size_t i = 0; i < 3; ++i)
-                weights[axis][i] = hn::IfThenElse(own, hn::Set(d, slope[i]), hn::Set(d, weight[i]));
+                weights[axis][i] =
+                    hn::IfThenElse(derived, hn::Set(d, slope[i]), hn::Set(d, weight[i]));
         }
         const auto width = static_cast<float>(1 << (level - 1));
         const float units[4] = {1, width, width, width};
-        float part = lattice->spread[level];
+        float part = lattice->amplitude[level];
         if (level == last)
             part = share * part;
-        const V found = carried(cells.g + all_nodes * static_cast<std::size_t>(level - first),
-                                weights[0], weights[1], weights[2]);
+        const V found =
+            field_of_variates(cells.g + all_nodes * static_cast<std::size_t>(level - first),
+                              weights[0], weights[1], weights[2]);
         total = hn::Add(total, hn::Mul(hn::Mul(found, hn::LoadU(d, units)), hn::Set(d, part)));
     }
     float end[4];

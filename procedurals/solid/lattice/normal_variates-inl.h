@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A node's random bits and normal variate in vectors of any width: the operations of lattice.cl,
-// one by one, so that the bits are those of the scalar text. For files compiled by Highway's
-// foreach_target; as that header's *-inl.h files, it is read anew for every target.
+// The random bits and normal variates of nodes in vectors of any width. The operations are those of
+// lattice.cl in the same order, so the results are bit-identical. For files compiled by Highway's
+// foreach_target, which includes this again for every target.
 #if defined(SCREE_NORMAL_VARIATES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCREE_NORMAL_VARIATES_INL_H
 #undef SCREE_NORMAL_VARIATES_INL_H
@@ -30,7 +30,7 @@ HWY_INLINE V node_bits(D d, V place, V other) {
     return hn::Xor(h, hn::ShiftRight<16>(h));
 }
 
-/// The polynomial of these coefficients, highest power first, each step rounded twice.
+/// A polynomial by Horner's scheme, highest power first, without fused multiply-add.
 template <class D, class V = hn::Vec<D>, class... Floats>
 HWY_INLINE V polynomial(D d, V at, float first, Floats... others) {
     V sum = hn::Set(d, first);

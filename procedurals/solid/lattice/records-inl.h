@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Four words that stand together in memory, fetched at one place for every lane: one load of 16
-// bytes a lane and a transposition, where gathers would take four. For files compiled by Highway's
-// foreach_target; as that header's *-inl.h files, it is read anew for every target.
+// Loads a record of four adjacent words for every lane: one load of 16 bytes per lane and a
+// transposition instead of four gathers. For files compiled by Highway's foreach_target, which
+// includes this again for every target.
 #if defined(SCREE_RECORDS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCREE_RECORDS_INL_H
 #undef SCREE_RECORDS_INL_H
@@ -23,7 +23,7 @@ using Reals = hn::ScalableTag<float>;
 #endif
 using Words = hn::RebindToUnsigned<Reals>;
 
-/// 16 bytes of the table for each block of 4 lanes, at the place that its first lane has.
+/// For each block of 4 lanes, 16 bytes of the table at the place given by its first lane.
 template <class D>
 HWY_INLINE hn::Vec<D> load_blocks(D d, const std::uint8_t* table, const std::uint32_t* places) {
     const hn::Repartition<std::uint8_t, D> bytes;
@@ -43,14 +43,14 @@ struct Records {
     hn::Vec<Words> first, second, third, fourth;
 };
 
-/// Records of 16 bytes at places of a table, in units of 8 bytes, as many as there are lanes. The
-/// places should have been written a while ago: what is still in registers is taken from there one
-/// by one.
+/// Records of 16 bytes, one per lane, at places of a table in units of 8 bytes. The places should
+/// have been stored to memory some time before, since they are read one by one and a vector store
+/// immediately before would stall these loads.
 HWY_INLINE Records load_records(const void* table, const std::uint32_t* places) {
     const Words du;
     const hn::RepartitionToWide<Words> dw;
     const auto* bytes = static_cast<const std::uint8_t*>(table);
-    // Lane 4 j + i is the j-th block of the i-th of these.
+    // The record of lane 4 j + i is the j-th block of the i-th of these vectors.
     const auto v0 = load_blocks(du, bytes, places);
     const auto v1 = load_blocks(du, bytes, places + 1);
     const auto v2 = load_blocks(du, bytes, places + 2);

@@ -6,12 +6,12 @@
 
 namespace scree {
 
-/// The ways in which this machine can evaluate solid textures in batches, fastest first and
-/// "scalar", the reference, last. All vector paths give the same bits.
+/// The code paths with which this machine can evaluate solid textures in batches: the fastest
+/// first, the reference "scalar" last. All vector paths give the same bits.
 std::vector<std::string> vector_paths();
 
-/// While it lives, only the path of that name is used; for tests and benches, one at a time and
-/// while nothing is evaluated.
+/// Selects a path by name during its lifetime; for tests and benches. Only one may exist, and it
+/// must not be created or destroyed during evaluations.
 class UseVectorPath {
   public:
     explicit UseVectorPath(const std::string& name);
@@ -20,8 +20,8 @@ class UseVectorPath {
     UseVectorPath& operator=(const UseVectorPath&) = delete;
 };
 
-/// Whether "scalar" is in use, as where there is nothing else; otherwise the best of vector_paths()
-/// is, unless another is named.
+/// Whether the path "scalar" is active, because it was selected or is the only one. The default is
+/// the first of vector_paths().
 bool scalar_path_in_use();
 
 } // namespace scree

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "procedurals/solid/leather/leather.h"
 
+#include "procedurals/solid/leather/leather_as_cpp.h"
 #include "procedurals/solid/leather/leather_presets.h"
 #include "procedurals/solid/leather/leather_source.h"
-#include "procedurals/solid/leather/leather_text.h"
 #include "procedurals/solid/solid_procedural.h"
 
 namespace scree {
@@ -12,11 +12,6 @@ namespace {
 
 using solid::Leather;
 
-SCREE_FOR_PROCESSORS solid::SolidSample leather_sample(solid::Field field, const Leather* leather,
-                                                       const solid::SolidPoint& point) {
-    return solid::leather_at(field, leather, point);
-}
-
 std::shared_ptr<const Procedural> make_leather(const Params& params) {
     const LeatherPreset& preset = preset_named(solid_leather_presets(), params);
     const double natural = preset.creases.front().size * preset_scale(params);
@@ -24,7 +19,7 @@ std::shared_ptr<const Procedural> make_leather(const Params& params) {
     const double depth = preset.creases.front().depth * scale;
     const double deep = scale * number_or(params, "depth", depth) / depth;
     Leather leather{};
-    leather.push = make_push(params, number_or(params, "turbulence", preset.turbulence), 0);
+    leather.warp = make_warp(params, number_or(params, "turbulence", preset.turbulence), 0);
     for (std::size_t i = 0; i < preset.creases.size(); ++i) {
         leather.creases[i] =
             make_creases(params, static_cast<unsigned>(i), preset.creases[i], scale);
@@ -43,10 +38,10 @@ std::shared_ptr<const Procedural> make_leather(const Params& params) {
     leather.stain = as_float(number_or(params, "stain", preset.stain));
     const double roughness = number_or(params, "roughness", preset.roughness);
     leather.roughness = as_float(roughness);
-    leather.crease_roughness = as_float(std::min(1.0, roughness + 0.25)); // which nothing rubs
+    leather.crease_roughness = as_float(std::min(1.0, roughness + 0.25)); // not polished by wear
     leather.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = shapes_program({leather_source});
-    return std::make_shared<SolidProcedural<Leather, leather_sample>>(
+    return std::make_shared<SolidProcedural<Leather, solid::leather_at>>(
         make_lattice(params), leather, SolidKernel{text.c_str(), "Leather", "leather_at"});
 }
 
@@ -64,7 +59,7 @@ std::vector<ParamSpec> leather_specs() {
         preset_number("pores", "Share of places for a pore, or a knob, that have one.", "", 0, 1),
         {.name = "contrast",
          .type = ParamType::number,
-         .doc = "Factor of the share that creases and pores have of their colours.",
+         .doc = "Factor of the share of the crease and pore colours in creases and pores.",
          .fallback = 1.0,
          .min = 0.0,
          .max = 1.2},
@@ -73,7 +68,7 @@ std::vector<ParamSpec> leather_specs() {
         preset_number("roughness", "Of the hills' tops; creases are duller.", "", 0, 1),
         {.name = "relief",
          .type = ParamType::number,
-         .doc = "Height of bumps beside the grain, per unit of the fractal field.",
+         .doc = "Height of additional bumps per unit of the fractal field.",
          .unit = "m",
          .fallback = 0.0,
          .min = 0.0,

@@ -17,7 +17,7 @@ LeatherPreset leather(const char* name, unsigned color, unsigned crease,
     return preset;
 }
 
-LeatherPreset shagreen() { // of ray: pearls side by side, ground down and dyed between
+LeatherPreset shagreen() { // of ray: adjacent pearls, ground flat, with dye between them
     LeatherPreset preset =
         leather("shagreen", 0xc3cdb9, 0x1f4a40, {{2.3e-3, 0.16e-3, 0.06, 1.2, 1, 0.6}});
     preset.stain = 0.04;
@@ -37,7 +37,7 @@ LeatherPreset pigskin() {
     return preset;
 }
 
-LeatherPreset ostrich() { // knobs where quills stood
+LeatherPreset ostrich() { // knobs at the quill follicles
     LeatherPreset preset = leather("ostrich", 0xa8662f, 0x5a3014,
                                    {{3.2e-3, 0.10e-3, 0.06, 0.45}, {1.0e-3, 0.03e-3, 0.08, 0.2}});
     preset.pores = {15e-3, 0.8, 0.10, 0.15, 1, 0.045, 0.8};
@@ -50,7 +50,7 @@ LeatherPreset ostrich() { // knobs where quills stood
 } // namespace
 
 const std::vector<LeatherPreset>& solid_leather_presets() {
-    // Sizes and depths of the grain by eye from photographs with a scale.
+    // Sizes and depths of the grain estimated from photographs with a scale.
     static const std::vector<LeatherPreset> presets = [] {
         std::vector<LeatherPreset> made = {
             leather("calf", 0x8a4f2a, 0x43240f,

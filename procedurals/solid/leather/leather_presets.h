@@ -5,14 +5,14 @@
 
 namespace scree {
 
-/// A leather as tanners know it; true lengths.
+/// A kind of leather, with real dimensions.
 struct LeatherPreset {
     std::string name;
     Color color{0.0F, 0.0F, 0.0F};
     Color crease{0.0F, 0.0F, 0.0F};
-    std::vector<CreaseRecipe> creases; // 1 to 3, that of the grain first
+    std::vector<CreaseRecipe> creases; // 1 to 3, the main grain first
     SpotRecipe pores{};
-    double pore_depth = 0; // [m]; below 0: knobs
+    double pore_depth = 0; // [m]; negative: knobs
     Color pore{0.0F, 0.0F, 0.0F};
     double pore_dye = 0;
     double stain = 0.06;

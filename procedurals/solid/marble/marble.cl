@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marble: layers of veins pushed about by the fractal field (Okada et al. 1987, eqs. 7-9 and 12).
+// Marble: layers of veins displaced by the fractal field (Okada et al. 1987, eqs. 7-9 and 12).
 // Needs solid.cl.
 
-#define MARBLE_MOST_VEINS 32
-#define MARBLE_MOST_LAYERS 4
-#define PROFILE_POINTS 8192 // unfiltered; a power of 2
-#define PROFILE_LEVELS 11   // of filtered ones, each with half the points of the one before
-#define PROFILE_FINEST 1.5f // a level's deviation, in its points' distances
+#define MARBLE_MAX_VEINS 32
+#define MARBLE_MAX_LAYERS 4
+#define PROFILE_POINTS 8192 // of the unfiltered profile; a power of 2
+#define PROFILE_LEVELS 11   // filtered profiles, each with half the points of the one before
+#define PROFILE_FINEST 1.5f // standard deviation of a level's filter, in steps of its points
 
-// A plane layer of impurity: full within its half width, soaking out exponentially.
+// A planar layer of impurity: constant within its half width, with exponential decay outside.
 typedef struct {
     float centre;     // along the axis [m]
     float half_width; // [m]
@@ -18,19 +18,19 @@ typedef struct {
 typedef struct {
     Placement placement;
     Triple axis;          // the veins' common normal, unit
-    float start;          // the coordinate along the axis is inner(axis, position) - start [m]
-    float push;           // k: displacement along the axis per unit of D [m]
-    float period;         // [m]; 0: the veins stand there once
+    float start;          // the coordinate along the axis is dot3(axis, position) - start [m]
+    float displacement;   // k: displacement along the axis per unit of D [m]
+    float period;         // [m]; 0: the veins are not periodic
     float start_of_table; // along the axis [m]
-    float length;   // of the table: the period, or all veins and as much again around them [m]
-    float mean;     // of the profile over that length
-    float strength; // of the colour where the profile is 1
-    int iterations; // of the displacement's inverse; 0: first order
+    float length;         // of the table: the period, or three times the extent of all veins [m]
+    float mean;           // of the profile over that length
+    float strength;       // share of the colour where the profile is 1
+    int iterations;       // of the inversion of the displacement; 0: first order
     int veins;
     Triple color;
-    Vein vein[MARBLE_MOST_VEINS];
-    // The profile at even points of the length, then convolved with Gaussians, each level with
-    // twice the deviation of the one before.
+    Vein vein[MARBLE_MAX_VEINS];
+    // The profile at equal steps, then convolved with Gaussians, each with twice the standard
+    // deviation of the one before.
     float table[3 * PROFILE_POINTS];
 } VeinLayer;
 
@@ -38,16 +38,16 @@ typedef struct {
     Placement cloud_placement;
     Triple filler;
     Triple cloud;
-    float cloudiness;       // share of the cloud's colour where it is thickest
-    float depth;            // veins stand out by so much; negative: they lie deeper [m]
-    float filler_roughness; // below 0: the material's own
+    float cloudiness;       // maximum share of the cloud colour
+    float depth;            // height of the veins [m]; negative: recessed
+    float filler_roughness; // negative: that of the material
     float vein_roughness;
     int filtered;
     int layers;
-    VeinLayer layer[MARBLE_MOST_LAYERS];
+    VeinLayer layer[MARBLE_MAX_LAYERS];
 } Marble;
 
-// G of a point: all veins together at z along the axis, at most 1 (eq. 8). Adds its slope.
+// G of a point: the sum of all veins at z along the axis, at most 1 (eq. 8). Sets its slope.
 static inline float veins_sum(global const VeinLayer* layer, float z, float* slope) {
     const float period = layer->period;
     float sum = 0.0f, steepness = 0.0f;
@@ -66,7 +66,8 @@ static inline float veins_sum(global const VeinLayer* layer, float z, float* slo
     return fmin(sum, 1.0f);
 }
 
-// A level of the table at a share of the period; adds so much of the slope.
+// `share` times a level of the table, interpolated at `place` in [0, 1); adds `share` times its
+// slope.
 static inline float table_row(global const float* row, int points, float place, float share,
                               float* slope) {
     const float at = place * (float)points;
@@ -76,8 +77,8 @@ static inline float table_row(global const float* row, int points, float place, 
     return share * (low + (high - low) * (at - (float)i));
 }
 
-// The same seen through a Gaussian, from the layer's table, whose levels are mixed in between by
-// the deviation.
+// G convolved with a Gaussian, from the layer's table; interpolated between its levels by the
+// standard deviation.
 static inline float veins_table(global const VeinLayer* layer, float z, float sigma, float* slope) {
     const float turns = (z - layer->start_of_table) / layer->length;
     if (layer->period == 0.0f && !(turns >= 0.0f && turns < 1.0f))
@@ -109,23 +110,23 @@ static inline float layer_value(Field field, global const VeinLayer* layer, Trip
                                 Triple across, Triple along, float random, Triple* slope) {
     const Placement placement = layer->placement;
     const Triple axis = layer->axis;
-    // What is seen at Q was at the P with P + k D(P) axis = Q: P = Q - k D(Q) axis to first order,
-    // and nearer with each step of P = Q - k D(P) axis.
+    // The material at Q was displaced from the P with P + k D(P) axis = Q. To first order
+    // P = Q - k D(Q) axis; fixed-point iterations P = Q - k D(P) axis improve it.
     Triple p = position, u = across, v = along, gradient = axis;
     float variance = 0.0f;
     for (int i = 0; i <= layer->iterations; ++i) {
         const Fluctuation d =
             fluctuation_at(field, &placement, p, filter_width(&placement, u, v), random);
-        const float shift = layer->push * d.value;
-        gradient = minus(axis, scaled(d.gradient, layer->push));
-        u = minus(across, scaled(axis, layer->push * inner(d.gradient, u)));
-        v = minus(along, scaled(axis, layer->push * inner(d.gradient, v)));
+        const float shift = layer->displacement * d.value;
+        gradient = minus(axis, scaled(d.gradient, layer->displacement));
+        u = minus(across, scaled(axis, layer->displacement * dot3(d.gradient, u)));
+        v = minus(along, scaled(axis, layer->displacement * dot3(d.gradient, v)));
         p = minus(position, scaled(axis, shift));
-        variance = square(layer->push) * d.variance;
+        variance = square(layer->displacement) * d.variance;
     }
-    variance += (square(inner(axis, u)) + square(inner(axis, v))) * (1.0f / 12.0f);
+    variance += (square(dot3(axis, u)) + square(dot3(axis, v))) * (1.0f / 12.0f);
     float steepness = 0.0f;
-    const float z = inner(axis, p) - layer->start;
+    const float z = dot3(axis, p) - layer->start;
     const float sigma = sqrt(variance);
     const float value =
         sigma > 0.0f ? veins_table(layer, z, sigma, &steepness) : veins_sum(layer, z, &steepness);
@@ -139,28 +140,28 @@ static inline SolidSample marble_part(Field field, global const Marble* marble, 
     sample.color = marble->filler;
     if (marble->cloudiness > 0.0f) {
         const Placement placement = marble->cloud_placement;
-        // Clouds are soft: what is not stored would not be seen in them.
+        // Clouds are soft: levels that are not stored would not be visible.
         const float d = fluctuation_at(field, &placement, position,
                                        fmax(filter_width(&placement, across, along),
                                             1.0f / (float)(1 << field.lattice->levels)),
                                        random)
                             .value;
         sample.color =
-            mixed3(sample.color, marble->cloud, marble->cloudiness * smooth(-1.2f, 1.2f, d));
+            lerp3(sample.color, marble->cloud, marble->cloudiness * smooth(-1.2f, 1.2f, d));
     }
-    float clear = 1.0f; // of all veins
+    float clear = 1.0f; // transparency of all veins so far
     for (int i = 0; i < marble->layers; ++i) {
         global const VeinLayer* layer = &marble->layer[i];
         Triple slope;
         const float value = layer_value(field, layer, position, across, along, random, &slope);
-        sample.color = mixed3(sample.color, layer->color, value * layer->strength);
+        sample.color = lerp3(sample.color, layer->color, value * layer->strength);
         sample.slope = plus(scaled(sample.slope, 1.0f - value), scaled(slope, clear));
         clear *= 1.0f - value;
     }
     sample.value = 1.0f - clear;
     sample.height = marble->depth * sample.value;
     sample.slope = scaled(sample.slope, marble->depth);
-    sample.roughness = mixed(marble->filler_roughness, marble->vein_roughness, sample.value);
+    sample.roughness = lerp(marble->filler_roughness, marble->vein_roughness, sample.value);
     return sample;
 }
 

@@ -2,9 +2,9 @@
 #include "procedurals/solid/marble/marble.h"
 
 #include "core/random.h"
+#include "procedurals/solid/marble/marble_as_cpp.h"
 #include "procedurals/solid/marble/marble_presets.h"
 #include "procedurals/solid/marble/marble_source.h"
-#include "procedurals/solid/marble/marble_text.h"
 #include "procedurals/solid/marble/marble_vector.h"
 #include "procedurals/solid/marble/vein_layer.h"
 #include "procedurals/solid/solid_procedural.h"
@@ -26,7 +26,8 @@ const MarblePreset& preset_of(const Params& params) {
     });
 }
 
-/// The preset's systems of veins, the first with what the user changed; or the user's own.
+/// The systems of veins given by the user, or those of the preset with the user's changes to the
+/// first.
 std::vector<MarbleVeins> vein_systems(const Params& params) {
     const double size = params.number("size");
     const auto changed = [&](MarbleVeins veins, const Params& by) {
@@ -50,7 +51,7 @@ std::vector<MarbleVeins> vein_systems(const Params& params) {
         systems.push_back(changed(first, layer));
         systems.back().tilt = layer.number("tilt");
     }
-    if (systems.size() > MARBLE_MOST_LAYERS)
+    if (systems.size() > MARBLE_MAX_LAYERS)
         throw params.error("layers", "has more than 4 layers");
     return systems;
 }
@@ -59,8 +60,8 @@ VeinLayer make_layer(const Params& params, const MarbleVeins& veins, unsigned in
     const SolidFrame frame = solid_frame(params);
     Random random(static_cast<std::uint64_t>(params.integer("seed")), Purpose::solid_vein, index);
     VeinLayer layer{};
-    // The first layer has the lattice as it stands, so that a cube of the lattice's size shows the
-    // paper's faces; the others lie elsewhere in it.
+    // The first layer uses the untransformed lattice, so that a cube of the lattice's size shows
+    // the paper's faces; the others use other parts of it.
     layer.placement = placement(params, frame, index);
     const double turn = index == 0 ? 0 : random.uniform(0, 2 * pi);
     const Vec3 side = frame.right * static_cast<float>(std::cos(turn)) +
@@ -69,7 +70,7 @@ VeinLayer make_layer(const Params& params, const MarbleVeins& veins, unsigned in
                       side * static_cast<float>(std::sin(veins.tilt));
     layer.axis = as_triple(axis);
     layer.start = axis.dot(frame.origin);
-    layer.push = as_float(veins.turbulence * cell_length(params));
+    layer.displacement = as_float(veins.turbulence * cell_length(params));
     layer.strength = as_float(veins.contrast);
     layer.iterations = static_cast<int>(params.integer("iterations"));
     layer.color = {veins.color.x, veins.color.y, veins.color.z};
@@ -79,11 +80,6 @@ VeinLayer make_layer(const Params& params, const MarbleVeins& veins, unsigned in
         scatter_veins(layer, veins, params.number("size"), random);
     tabulate(layer);
     return layer;
-}
-
-SCREE_FOR_PROCESSORS solid::SolidSample marble_sample(solid::Field field, const Marble* marble,
-                                                      const solid::SolidPoint& point) {
-    return solid::marble_at(field, marble, point);
 }
 
 std::shared_ptr<const Procedural> make_marble(const Params& params) {
@@ -108,7 +104,7 @@ std::shared_ptr<const Procedural> make_marble(const Params& params) {
         const auto index = static_cast<unsigned>(marble.layers);
         marble.layer[marble.layers++] = make_layer(params, veins, index);
     }
-    return std::make_shared<SolidProcedural<Marble, marble_sample, marble_in_lanes>>(
+    return std::make_shared<SolidProcedural<Marble, solid::marble_at, marble_in_lanes>>(
         make_lattice(params), marble, SolidKernel{marble_source, "Marble", "marble_at"});
 }
 
@@ -117,10 +113,10 @@ std::vector<ParamSpec> layer_specs() {
         preset_color("vein", "Colour of the impurities in the veins."),
         {.name = "vein_count",
          .type = ParamType::integer,
-         .doc = "Veins in one `size` along the axis.",
+         .doc = "Number of veins per `size` along the axis.",
          .optional = true,
          .min = 0.0,
-         .max = double(MARBLE_MOST_VEINS)},
+         .max = double(MARBLE_MAX_VEINS)},
         preset_number("vein_width", "Mean width of a vein where it is full.", "m", 0, 1e4),
         preset_number("diffusion", "Length over which a vein soaks out into the stone to 1/e.", "m",
                       1e-7, 1e4),
@@ -138,7 +134,7 @@ std::vector<ParamSpec> marble_specs() {
     std::vector<ParamSpec> specs = {
         {.name = "preset",
          .type = ParamType::choice,
-         .doc = "A marble whose colours and veins to start from; what else is given changes it.",
+         .doc = "Marble with default colours and veins, which the other parameters override.",
          .fallback = std::string("carrara"),
          .choices = names},
         preset_color("filler", "Colour of the stone itself."),
@@ -146,25 +142,24 @@ std::vector<ParamSpec> marble_specs() {
         preset_number("cloudiness", "Share of that colour where clouds are thickest.", "", 0, 1)};
     for (ParamSpec& spec : layer_specs())
         specs.push_back(std::move(spec));
-    std::vector<ParamSpec> own = layer_specs();
-    own.push_back({.name = "tilt",
-                   .type = ParamType::number,
-                   .doc = "Angle of these layers against the axis.",
-                   .unit = "deg",
-                   .fallback = 0.0,
-                   .min = -90.0,
-                   .max = 90.0});
+    std::vector<ParamSpec> fields = layer_specs();
+    fields.push_back({.name = "tilt",
+                      .type = ParamType::number,
+                      .doc = "Angle of these layers against the axis.",
+                      .unit = "deg",
+                      .fallback = 0.0,
+                      .min = -90.0,
+                      .max = 90.0});
     specs.push_back({.name = "layers",
                      .type = ParamType::list,
-                     .doc =
-                         "One to four systems of veins in place of the preset's, each over those "
-                         "before it; what one leaves out is the first's.",
+                     .doc = "One to four systems of veins in place of the preset's, each on top of "
+                            "those before it; defaults are those of the first system.",
                      .optional = true,
-                     .fields = std::move(own),
+                     .fields = std::move(fields),
                      .min_items = 1});
     specs.push_back({.name = "veins",
                      .type = ParamType::list,
-                     .doc = "Every vein of the first layer by itself, in place of `vein_count`.",
+                     .doc = "The veins of the first system one by one, in place of `vein_count`.",
                      .optional = true,
                      .fields = {{.name = "at",
                                  .type = ParamType::number,
@@ -176,13 +171,13 @@ std::vector<ParamSpec> marble_specs() {
                      .min_items = 1});
     specs.push_back({.name = "iterations",
                      .type = ParamType::integer,
-                     .doc = "Steps to what the displacement brought here; 0: to first order.",
+                     .doc = "Iterations of the inversion of the displacement; 0: first order.",
                      .fallback = std::int64_t{0},
                      .min = 0.0,
                      .max = 16.0});
     specs.push_back({.name = "vein_height",
                      .type = ParamType::number,
-                     .doc = "How far veins stand out as bumps; negative: they lie deeper.",
+                     .doc = "Height of the veins as bumps; negative: recessed.",
                      .unit = "m",
                      .fallback = 0.0,
                      .min = -1.0,
@@ -197,7 +192,7 @@ std::vector<ParamSpec> marble_specs() {
 
 Plugin<MakeProcedural> marble_plugin() {
     return {"marble",
-            "Marble: layers of veins in stone, pushed about by a fractal field (Okada et al. "
+            "Marble: layers of veins in stone, displaced by a fractal field (Okada et al. "
             "1987), filtered over the pixel.",
             marble_specs(), make_marble};
 }

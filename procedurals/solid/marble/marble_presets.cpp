@@ -6,9 +6,9 @@
 namespace scree {
 
 const std::vector<MarblePreset>& marble_presets() {
-    // Colours by eye from photographs of slabs.
+    // Colours estimated from photographs of slabs.
     static const std::vector<MarblePreset> presets = {
-        {"banded", // the paper's: even layers
+        {"banded", // that of the paper: even layers
          shown(0xe6e1d6),
          shown(0xe6e1d6),
          0,

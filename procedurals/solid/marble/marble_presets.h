@@ -11,15 +11,15 @@ namespace scree {
 /// One system of veins. Lengths are shares of the texture's `size`.
 struct MarbleVeins {
     Color color{0.0F, 0.0F, 0.0F};
-    int count = 4;           // in a period, which is `size`
+    int count = 4;           // per period, which is `size`
     double width = 0.01;     // mean
-    double diffusion = 0.03; // length over which a vein soaks out to 1/e
-    double contrast = 1;     // share of the colour where a vein is full
+    double diffusion = 0.03; // length over which a vein decays to 1/e
+    double contrast = 1;     // share of the colour in the middle of a vein
     double turbulence = 16;  // k, in cells of the paper's lattice of 64
-    double tilt = 0;         // against the axis [rad]
+    double tilt = 0;         // angle of the normal to the axis [rad]
 };
 
-/// A marble as quarries sell it.
+/// A commercial marble.
 struct MarblePreset {
     std::string name;
     Color filler{1.0F, 1.0F, 1.0F};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// marble.cl at several points, as renders ask for the hits of a batch of paths: one point, or one
-// part of a drawn-out filter, in each lane.
+// Evaluates marble.cl at several points, as needed for a batch of paths: one point, or one part of
+// an elongated filter, in each lane.
 #include "procedurals/solid/marble/marble_vector.h"
 
 #include "procedurals/solid/filter_parts.h"
@@ -22,7 +22,7 @@ using solid::Field;
 using solid::Marble;
 using solid::VeinLayer;
 
-#if HWY_TARGET == HWY_SCALAR // no vectors at all
+#if HWY_TARGET == HWY_SCALAR // no vector instructions
 
 bool evaluate_marble(const Field&, const Marble&, FilterParts&) { return false; }
 
@@ -53,13 +53,13 @@ HWY_INLINE V veins_table(const VeinLayer& layer, V z, V sigma, V& slope) {
     const hn::Mask<Ints> flat = hn::Gt(level, all(PROFILE_LEVELS - 2));
     const V mantissa = hn::BitCast(Reals(), hn::Or(hn::And(bits, all(0x7fffff)), all(0x3f800000)));
     const V share = chosen(narrow, hn::Mul(wide, wide), hn::Sub(mantissa, one));
-    const I most = all(PROFILE_POINTS);
+    const I all_points = all(PROFILE_POINTS);
     const I shift = hn::Max(hn::Min(level, all(PROFILE_LEVELS - 2)), all(0));
-    const I points = hn::Shr(most, shift); // of a point's own row as well
+    const I points = hn::Shr(all_points, shift); // number of points of the level
     const I row = hn::IfThenElse(hn::RebindMask(Ints(), narrow), hn::Zero(Ints()),
                                  hn::Sub(all(3 * PROFILE_POINTS), hn::Add(points, points)));
     const I next_points =
-        hn::IfThenElse(hn::RebindMask(Ints(), narrow), most, hn::ShiftRight<1>(points));
+        hn::IfThenElse(hn::RebindMask(Ints(), narrow), all_points, hn::ShiftRight<1>(points));
     V steepness = hn::Zero(Reals());
     const V first = table_row(layer.table, row, points, place, hn::Sub(one, share), steepness);
     const V second =
@@ -75,7 +75,7 @@ HWY_INLINE V veins_table(const VeinLayer& layer, V z, V sigma, V& slope) {
     return value;
 }
 
-/// Where marble is asked: a filter, or a part of one, in every lane.
+/// A filter, or a part of one, in every lane.
 struct Filters {
     Triples position, across, along;
     V random;
@@ -86,37 +86,37 @@ struct Filters {
 HWY_INLINE V layer_value(const Field& field, const VeinLayer& layer, const Filters& at,
                          Triples& slope, V& least) {
     const Triples axis = all(layer.axis);
-    const V push = all(layer.push);
+    const V displacement = all(layer.displacement);
     Triples p = at.position, u = at.across, v = at.along, gradient = axis;
     V variance = hn::Zero(Reals());
     for (int i = 0; i <= layer.iterations; ++i) {
         const Fluctuations d = fluctuation_at(field, layer.placement, p,
                                               filter_width(layer.placement, u, v), at.random);
-        const V shift = hn::Mul(push, d.value);
-        gradient = minus(axis, scaled(d.gradient, push));
-        u = minus(at.across, scaled(axis, hn::Mul(push, inner(d.gradient, u))));
-        v = minus(at.along, scaled(axis, hn::Mul(push, inner(d.gradient, v))));
+        const V shift = hn::Mul(displacement, d.value);
+        gradient = minus(axis, scaled(d.gradient, displacement));
+        u = minus(at.across, scaled(axis, hn::Mul(displacement, dot3(d.gradient, u))));
+        v = minus(at.along, scaled(axis, hn::Mul(displacement, dot3(d.gradient, v))));
         p = minus(at.position, scaled(axis, shift));
-        variance = hn::Mul(all(solid::square(layer.push)), d.variance);
+        variance = hn::Mul(all(solid::square(layer.displacement)), d.variance);
     }
-    const V side = inner(axis, u), other = inner(axis, v);
+    const V side = dot3(axis, u), other = dot3(axis, v);
     const V sides = hn::Add(hn::Mul(side, side), hn::Mul(other, other));
     const V sigma = hn::Sqrt(hn::Add(variance, hn::Mul(sides, all(1.0F / 12.0F))));
     least = hn::Min(least, sigma);
     V steepness;
-    const V z = hn::Sub(inner(axis, p), all(layer.start));
+    const V z = hn::Sub(dot3(axis, p), all(layer.start));
     const V value = veins_table(layer, z, sigma, steepness);
     slope = scaled(gradient, steepness);
     return value;
 }
 
-HWY_INLINE Triples mixed(const Triples& a, const Triples& b, V share) {
+HWY_INLINE Triples lerp(const Triples& a, const Triples& b, V share) {
     return plus(scaled(a, hn::Sub(all(1.0F), share)), scaled(b, share));
 }
 
 /// See smooth.
 HWY_INLINE V smooth(float low, float high, V v) {
-    const V t = limited(hn::Div(hn::Sub(v, all(low)), all(high - low)), 0, 1);
+    const V t = clamped(hn::Div(hn::Sub(v, all(low)), all(high - low)), 0, 1);
     return hn::Mul(hn::Mul(t, t), hn::Sub(all(3.0F), hn::Mul(all(2.0F), t)));
 }
 
@@ -133,11 +133,11 @@ HWY_INLINE void store(const Triples& t, float* numbers, std::size_t pitch) {
     hn::StoreU(t.z, d, numbers + 2 * pitch);
 }
 
-/// See marble_part; for the lanes from `first` on. False where some lane has no deviation.
+/// See marble_part; for the lanes from `first` on. False if the filter of some lane has no extent.
 HWY_INLINE bool evaluate_lanes(const Field& field, const Marble& marble, FilterParts& parts,
                                std::size_t first) {
     const Reals d;
-    constexpr std::size_t pitch = FilterParts::most;
+    constexpr std::size_t pitch = FilterParts::capacity;
     const Filters at{load(parts.position[0] + first, pitch), load(parts.across[0] + first, pitch),
                      load(parts.along[0] + first, pitch), hn::LoadU(d, parts.random + first)};
     const V one = all(1.0F);
@@ -147,26 +147,26 @@ HWY_INLINE bool evaluate_lanes(const Field& field, const Marble& marble, FilterP
                                 all(1.0F / float(1 << field.lattice->levels)));
         const V cloud =
             fluctuation_at(field, marble.cloud_placement, at.position, width, at.random).value;
-        color = mixed(color, all(marble.cloud),
-                      hn::Mul(all(marble.cloudiness), smooth(-1.2F, 1.2F, cloud)));
+        color = lerp(color, all(marble.cloud),
+                     hn::Mul(all(marble.cloudiness), smooth(-1.2F, 1.2F, cloud)));
     }
     V clear = one;
     Triples slope = all(solid::triple(0, 0, 0));
     V least = one;
     for (int i = 0; i < marble.layers; ++i) {
         const VeinLayer& layer = marble.layer[i];
-        Triples own;
-        const V value = layer_value(field, layer, at, own, least);
+        Triples layer_slope;
+        const V value = layer_value(field, layer, at, layer_slope, least);
         const V rest = hn::Sub(one, value);
-        color = mixed(color, all(layer.color), hn::Mul(value, all(layer.strength)));
-        slope = plus(scaled(slope, rest), scaled(own, clear));
+        color = lerp(color, all(layer.color), hn::Mul(value, all(layer.strength)));
+        slope = plus(scaled(slope, rest), scaled(layer_slope, clear));
         clear = hn::Mul(clear, rest);
     }
     const V value = hn::Sub(one, clear);
     store(color, parts.color[0] + first, pitch);
     store(scaled(slope, all(marble.depth)), parts.slope[0] + first, pitch);
     hn::StoreU(hn::Mul(all(marble.depth), value), d, parts.height + first);
-    hn::StoreU(mixed(all(marble.filler_roughness), all(marble.vein_roughness), value), d,
+    hn::StoreU(lerp(all(marble.filler_roughness), all(marble.vein_roughness), value), d,
                parts.roughness + first);
     hn::StoreU(value, d, parts.value + first);
     return hn::AllTrue(d, hn::Gt(least, hn::Zero(d)));

@@ -8,7 +8,7 @@ namespace scree {
 
 namespace {
 
-// Points whose fluctuations stay in the first cache until they are used.
+// Points per block, so that their fluctuations stay in the L1 cache until they are used.
 constexpr std::size_t block = 1024;
 
 /// Calls work(first, fluctuations) block by block.
@@ -26,11 +26,11 @@ void in_blocks(const LatticeQuads& quads, std::span<const float> x, std::span<co
 
 } // namespace
 
-void marble_values(const LatticeQuads& quads, const VeinTable& veins, float push,
+void marble_values(const LatticeQuads& quads, const VeinTable& veins, float displacement,
                    std::span<const float> x, std::span<const float> y, std::span<const float> z,
                    std::span<float> out) {
     in_blocks(quads, x, y, z, [&](std::size_t first, std::span<const float> d) {
-        veins.values(z.subspan(first, d.size()), d, push, out.subspan(first, d.size()));
+        veins.values(z.subspan(first, d.size()), d, displacement, out.subspan(first, d.size()));
     });
 }
 

@@ -8,23 +8,24 @@
 
 namespace scree {
 
-/// The paper's marble, to first order: the veins at z - push D (eq. 9); all in unit cubes.
-void marble_values(const LatticeQuads& quads, const VeinTable& veins, float push,
+/// The paper's marble to first order: the veins at z - displacement D (eq. 9). Lengths are in unit
+/// cubes.
+void marble_values(const LatticeQuads& quads, const VeinTable& veins, float displacement,
                    std::span<const float> x, std::span<const float> y, std::span<const float> z,
                    std::span<float> out);
 
-/// Its wood: sin(2 pi rings (r - push D)), r the distance from the axis through (x, y) along z
-/// (eqs. 10 and 11). The same bits on all vector paths, within 1e-5 of the scalar path's beside
-/// what D differs.
+/// The paper's wood: sin(2 pi rings (r - displacement D)), where r is the distance from the axis
+/// through (x, y) parallel to z (eqs. 10 and 11). All vector paths give the same bits. They differ
+/// from the scalar path by at most 1e-5, plus the effect of the difference in D.
 struct PlainWood {
     float x = 0, y = 0;
     float rings = 0; // per unit cube
-    float push = 0;
+    float displacement = 0;
 };
 void wood_values(const LatticeQuads& quads, const PlainWood& wood, std::span<const float> x,
                  std::span<const float> y, std::span<const float> z, std::span<float> out);
 
-/// The same where the fluctuations D are at hand.
+/// The same for given fluctuations D.
 void ring_values(const PlainWood& wood, std::span<const float> x, std::span<const float> y,
                  std::span<const float> d, std::span<float> out);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's source functions of many points: exponentials and sines by polynomials, without fused
-// multiplication, so that every machine finds the same numbers.
+// The paper's source functions at many points. Exponentials and sines are polynomials without fused
+// multiply-add, so that results are the same on every machine.
 #include "procedurals/solid/lattice/in_groups.h"
 #include "procedurals/solid/lattice/vector_path.h"
 #include "procedurals/solid/marble/stripes.h"
@@ -24,7 +24,7 @@ namespace scree::HWY_NAMESPACE {
 
 using V = hn::Vec<Reals>;
 
-/// The polynomial of these coefficients, highest power first, each step rounded twice.
+/// A polynomial by Horner's scheme, highest power first, without fused multiply-add.
 template <class... Floats>
 HWY_INLINE V polynomial(V at, float first, Floats... others) {
     const Reals d;
@@ -33,11 +33,11 @@ HWY_INLINE V polynomial(V at, float first, Floats... others) {
     return sum;
 }
 
-// Its addition leaves an integer of up to 2^22 in the mantissa's low bits.
+// Adding it leaves the rounded integer, up to 2^22, in the low bits of the mantissa.
 constexpr float rounds = 0x1.8p23F;
 
-/// 2^t within 5e-7 of it, for -126 <= t <= 0; exact at integers. (The polynomial is minimax in the
-/// relative error among those that are 1 at 0.)
+/// 2^t with a relative error of 5e-7, for -126 <= t <= 0; exact at integers. (The minimax
+/// polynomial of the relative error among those that are 1 at 0.)
 HWY_INLINE V exp2(V t) {
     const Reals d;
     const hn::RebindToUnsigned<Reals> du;
@@ -49,10 +49,11 @@ HWY_INLINE V exp2(V t) {
     return hn::BitCast(d, hn::Add(hn::BitCast(du, p), exponent));
 }
 
-/// sin(2 pi t) within 1e-7. (Minimax in the relative error over a quarter turn.)
+/// sin(2 pi t) with an error of 1e-7. (The minimax polynomial of the relative error over a quarter
+/// turn.)
 HWY_INLINE V sine(V t) {
     const Reals d;
-    // Half a turn is folded onto a quarter: sin(2 pi t) = sin(2 pi (1/4 - |t - 1/4 - n|)).
+    // Reduction to a quarter turn: sin(2 pi t) = sin(2 pi (1/4 - |t - 1/4 - n|)).
     const V from_top = hn::Sub(t, hn::Set(d, 0.25F));
     const V whole = hn::Sub(hn::Add(from_top, hn::Set(d, rounds)), hn::Set(d, rounds));
     const V w = hn::Sub(hn::Set(d, 0.25F), hn::Abs(hn::Sub(from_top, whole)));
@@ -60,7 +61,7 @@ HWY_INLINE V sine(V t) {
                                  -41.3416786F, 6.28318548F));
 }
 
-/// The veins' sum by the formula.
+/// The sum of the veins by the formula.
 HWY_INLINE V sum_of_veins(const VeinTable& table, V at) {
     const Reals d;
     const V none = hn::Zero(d), least = hn::Set(d, -126.0F);
@@ -86,8 +87,8 @@ HWY_INLINE V cubic(const Records& powers, V at) {
     return hn::Add(sum, hn::BitCast(d, powers.first));
 }
 
-/// The sum in those lanes where it is no number: bins with edges. `number` is that of a divided
-/// one, `from_middle` the place in the bin and `z` on the axis.
+/// Replaces NaN lanes of `sum`, which lie in bins with edges, by their values. `number` is that of
+/// the divided bin, `from_middle` the position in the bin and `z` that on the axis.
 HWY_NOINLINE V sum_at_edges(const VeinTable& table, V sum, hn::Vec<Words> number, V from_middle,
                             V z) {
     const Reals d;
@@ -95,9 +96,9 @@ HWY_NOINLINE V sum_at_edges(const VeinTable& table, V sum, hn::Vec<Words> number
     const auto fitted = hn::Eq(sum, sum);
     constexpr int size = sizeof(VeinTable::Divided) / sizeof(float);
     const float* bins = table.divided().data()->before.powers;
-    const auto own = hn::BitCast(di, hn::And(number, hn::Set(Words(), 0x7fffffU)));
+    const auto index = hn::BitCast(di, hn::And(number, hn::Set(Words(), 0x7fffffU)));
     const auto divided =
-        hn::Mul(hn::IfThenZeroElse(hn::RebindMask(di, fitted), own), hn::Set(di, size));
+        hn::Mul(hn::IfThenZeroElse(hn::RebindMask(di, fitted), index), hn::Set(di, size));
     const auto after = hn::Ge(from_middle, hn::GatherIndex(d, bins + 8, divided));
     const auto at = hn::Add(divided, hn::IfThenElseZero(hn::RebindMask(di, after), hn::Set(di, 4)));
     const auto power = [&](int i) {
@@ -111,24 +112,26 @@ HWY_NOINLINE V sum_at_edges(const VeinTable& table, V sum, hn::Vec<Words> number
     return hn::IfThenElse(all_fitted, sum, sum_of_veins(table, z));
 }
 
-// Points whose bins stay in the first cache until they are fetched.
+// Points per block, so that their bins stay in the L1 cache until they are used.
 constexpr std::size_t block = 256;
 
-/// At z - push d; `count` is a multiple of the lanes.
-void values_of_veins(const VeinTable& table, const float* z, const float* displaced, float push,
-                     float* out, std::size_t count) {
+/// The veins at z - displacement d; `count` is a multiple of the number of lanes.
+void values_of_veins(const VeinTable& table, const float* z, const float* displaced,
+                     float displacement, float* out, std::size_t count) {
     const Reals d;
     const Words du;
-    const V push_all = hn::Set(d, push), one = hn::Set(d, 1.0F), integer = hn::Set(d, rounds);
+    const V displacement_all = hn::Set(d, displacement), one = hn::Set(d, 1.0F),
+            integer = hn::Set(d, rounds);
     const V lowest = hn::Set(d, table.first()), highest = hn::Set(d, table.last());
     const V scale = hn::Set(d, table.scale());
     const auto mask = hn::Set(du, static_cast<std::uint32_t>(2 * (table.bins().size() - 1)));
     const V count_of_bins = hn::Set(d, static_cast<float>(table.bins().size()));
     const V periods_per_bin = hn::Set(d, 1 / static_cast<float>(table.bins().size()));
     const auto place = [&](std::size_t i) {
-        return hn::Sub(hn::LoadU(d, z + i), hn::Mul(push_all, hn::LoadU(d, displaced + i)));
+        return hn::Sub(hn::LoadU(d, z + i), hn::Mul(displacement_all, hn::LoadU(d, displaced + i)));
     };
-    // In bins, near the first; both ways are exact up to the scale's rounding.
+    // Converts to bins, and with a period to the one around 0; exact up to the rounding of the
+    // scaling.
     const auto in_bins = [&](V at) {
         if (table.period() <= 0)
             return hn::Mul(hn::Min(hn::Max(at, lowest), highest), scale);
@@ -142,7 +145,7 @@ void values_of_veins(const VeinTable& table, const float* z, const float* displa
         const std::size_t part = std::min(block, count - first);
         for (std::size_t i = 0; i < part; i += hn::Lanes(d)) {
             const V at = in_bins(place(first + i));
-            const V number = hn::Add(at, integer); // in the mantissa's low bits
+            const V number = hn::Add(at, integer); // in the low bits of the mantissa
             const auto bits = hn::BitCast(du, number);
             hn::Store(hn::And(hn::Add(bits, bits), mask), du, bins + i); // a bin has 16 bytes
             hn::Store(hn::Sub(at, hn::Sub(number, integer)), d, from_middles + i);
@@ -158,22 +161,22 @@ void values_of_veins(const VeinTable& table, const float* z, const float* displa
     }
 }
 
-/// See wood_values, with the fluctuations at hand; `count` is a multiple of the lanes.
+/// See ring_values; `count` is a multiple of the number of lanes.
 void values_of_rings(const PlainWood& wood, const float* x, const float* y,
                      const float* fluctuation, float* out, std::size_t count) {
     const Reals d;
     const V middle_x = hn::Set(d, wood.x), middle_y = hn::Set(d, wood.y);
-    const V rings = hn::Set(d, wood.rings), push = hn::Set(d, wood.push);
+    const V rings = hn::Set(d, wood.rings), displacement = hn::Set(d, wood.displacement);
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
         const V dx = hn::Sub(hn::LoadU(d, x + i), middle_x);
         const V dy = hn::Sub(hn::LoadU(d, y + i), middle_y);
         const V r = hn::Sqrt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)));
-        const V moved = hn::Sub(r, hn::Mul(push, hn::LoadU(d, fluctuation + i)));
+        const V moved = hn::Sub(r, hn::Mul(displacement, hn::LoadU(d, fluctuation + i)));
         hn::StoreU(sine(hn::Mul(rings, moved)), d, out + i);
     }
 }
 
-#else // no vectors: nobody asks
+#else // no vector instructions: never called
 
 void values_of_veins(const VeinTable&, const float*, const float*, float, float*, std::size_t) {}
 void values_of_rings(const PlainWood&, const float*, const float*, const float*, float*,
@@ -192,7 +195,7 @@ namespace {
 HWY_EXPORT(values_of_veins);
 HWY_EXPORT(values_of_rings);
 
-/// Eq. 8 as it is printed.
+/// Eq. 8 as printed.
 float plain_value(const VeinTable& table, float z) {
     float sum = 0;
     for (const solid::Vein& vein : table.veins()) {
@@ -207,15 +210,15 @@ float plain_value(const VeinTable& table, float z) {
 
 } // namespace
 
-void VeinTable::values(std::span<const float> z, std::span<const float> d, float push,
+void VeinTable::values(std::span<const float> z, std::span<const float> d, float displacement,
                        std::span<float> out) const {
     if (scalar_path_in_use())
         for (std::size_t i = 0; i < out.size(); ++i)
-            out[i] = plain_value(*this, z[i] - push * d[i]);
+            out[i] = plain_value(*this, z[i] - displacement * d[i]);
     else
         in_groups(
             [&](const float* a, const float* b, float* to, std::size_t count) {
-                HWY_DYNAMIC_DISPATCH(values_of_veins)(*this, a, b, push, to, count);
+                HWY_DYNAMIC_DISPATCH(values_of_veins)(*this, a, b, displacement, to, count);
             },
             out, z, d);
 }
@@ -225,7 +228,8 @@ void ring_values(const PlainWood& wood, std::span<const float> x, std::span<cons
     if (scalar_path_in_use())
         for (std::size_t i = 0; i < out.size(); ++i) {
             const float dx = x[i] - wood.x, dy = y[i] - wood.y;
-            const float turns = wood.rings * (std::sqrt(dx * dx + dy * dy) - wood.push * d[i]);
+            const float turns =
+                wood.rings * (std::sqrt(dx * dx + dy * dy) - wood.displacement * d[i]);
             out[i] = static_cast<float>(std::sin(2 * std::numbers::pi * double(turns)));
         }
     else

@@ -14,7 +14,7 @@ namespace {
 using solid::Vein;
 using solid::VeinLayer;
 
-/// The veins' sum at z, at most 1.
+/// The sum of the veins at z, at most 1.
 double veins_sum(const VeinLayer& layer, double z) {
     double sum = 0;
     for (int i = 0; i < layer.veins; ++i) {
@@ -29,8 +29,8 @@ double veins_sum(const VeinLayer& layer, double z) {
     return std::min(1.0, sum);
 }
 
-/// Where the table lies: a period, or all veins with their skirts and as much again on either side,
-/// so that filters find room.
+/// Sets the table's range: one period, or all veins with their tails, with margins for filters on
+/// both sides.
 void place_table(VeinLayer& layer) {
     layer.start_of_table = 0;
     layer.length = layer.period;
@@ -39,7 +39,7 @@ void place_table(VeinLayer& layer) {
     float low = layer.vein[0].centre, high = low;
     for (int i = 0; i < layer.veins; ++i) {
         const Vein& vein = layer.vein[i];
-        const float reach = vein.half_width + 12 / vein.rate; // exp(-12) is nothing
+        const float reach = vein.half_width + 12 / vein.rate; // exp(-12) is negligible
         low = std::min(low, vein.centre - reach);
         high = std::max(high, vein.centre + reach);
     }
@@ -47,8 +47,8 @@ void place_table(VeinLayer& layer) {
     layer.length = 3 * (high - low);
 }
 
-/// Convolves the sum with Gaussians. A vein by itself has a closed form for that, but their sum is
-/// cut off at 1 before it is averaged, of which that knows nothing.
+/// Convolves the sum with Gaussians numerically. There is a closed form for a single vein, but the
+/// sum is clamped to 1 before filtering.
 void make_table(VeinLayer& layer) {
     std::vector<double> fine(PROFILE_POINTS);
     double sum = 0;
@@ -63,7 +63,7 @@ void make_table(VeinLayer& layer) {
     float* out = layer.table + PROFILE_POINTS;
     for (int level = 0; level < PROFILE_LEVELS; ++level) {
         const int stride = 1 << level;
-        const double sigma = double(PROFILE_FINEST) * stride; // in fine points
+        const double sigma = double(PROFILE_FINEST) * stride; // in points of the unfiltered profile
         const int reach = static_cast<int>(5 * sigma);
         for (int i = 0; i < PROFILE_POINTS; i += stride) {
             double mean = 0, weights = 0;
@@ -84,8 +84,8 @@ void scatter_veins(VeinLayer& layer, const MarbleVeins& veins, double size, Rand
     layer.period = as_float(size);
     layer.veins = veins.count;
     for (int i = 0; i < veins.count; ++i) {
-        // One in each of equal strata, so that they neither crowd nor leave bare stone; widths are
-        // log-uniform over a factor of 9.
+        // Stratified positions, which avoid clusters and large gaps; widths are log-uniform over a
+        // factor of 9.
         Vein& vein = layer.vein[i];
         vein.centre = as_float((i + random.uniform(0.1, 0.9)) / veins.count * size);
         vein.half_width = as_float(veins.width * size * std::pow(3, random.uniform(-1, 1)) / 2);
@@ -95,7 +95,7 @@ void scatter_veins(VeinLayer& layer, const MarbleVeins& veins, double size, Rand
 
 void list_veins(VeinLayer& layer, const Params& params, const MarbleVeins& defaults) {
     const std::vector<Params>& veins = params.list("veins");
-    if (veins.size() > MARBLE_MOST_VEINS)
+    if (veins.size() > MARBLE_MAX_VEINS)
         throw params.error("veins", "has more than 32 veins");
     const double size = params.number("size");
     for (const Params& given : veins) {

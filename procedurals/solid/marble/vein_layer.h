@@ -3,19 +3,19 @@
 
 #include "core/params.h"
 #include "core/random.h"
+#include "procedurals/solid/marble/marble_as_cpp.h"
 #include "procedurals/solid/marble/marble_presets.h"
-#include "procedurals/solid/marble/marble_text.h"
 
 namespace scree {
 
-/// Fills the layer with veins of uneven widths at uneven distances, which repeat after `size` [m].
+/// Fills the layer with random veins of varying widths and distances, with the period `size` [m].
 void scatter_veins(solid::VeinLayer& layer, const MarbleVeins& veins, double size, Random& random);
 
-/// Fills it with those of the parameter `veins`, which stand there once, as in the paper; what one
-/// leaves out is that of `defaults`. Throws Error when there are too many.
+/// Fills the layer with the veins of the parameter `veins`, which are not periodic, as in the
+/// paper. `defaults` gives parameters that are not set. Throws Error when there are too many.
 void list_veins(solid::VeinLayer& layer, const Params& params, const MarbleVeins& defaults);
 
-/// Fills the finished layer's table of filtered profiles.
+/// Computes the table of filtered profiles; called when the layer is complete.
 void tabulate(solid::VeinLayer& layer);
 
 } // namespace scree

@@ -12,15 +12,15 @@ namespace scree {
 
 namespace {
 
-constexpr double nothing = 17; // exp(-17) is 4e-8
+constexpr double nothing = 17; // exp(-17) = 4e-8 is negligible
 constexpr double most_bins = 1 << 16;
-// Of a fit's error. A cubic over 1/5 of a vein's diffusion length is off by at most 5e-7.
+// Tolerance of a fit. A cubic over 1/5 of a vein's diffusion length has an error of at most 5e-7.
 constexpr double tolerance = 1e-6, steepest = 0.2;
-// Few enough points should meet a bin that has an edge: it costs more.
+// Bins per edge: bins with an edge are slower, so only a few points should lie in them.
 constexpr double bins_an_edge = 1024;
 constexpr float no_number = std::numeric_limits<float>::quiet_NaN();
 
-/// The polynomial through these points (Newton's divided differences), lowest power first.
+/// The interpolation polynomial (Newton's divided differences), lowest power first.
 template <std::size_t count>
 std::array<double, count> through(const std::array<double, count>& at,
                                   std::array<double, count> values) {
@@ -36,7 +36,7 @@ std::array<double, count> through(const std::array<double, count>& at,
     return powers;
 }
 
-/// Chebyshev's nodes between two places.
+/// Chebyshev nodes of an interval.
 template <std::size_t count>
 std::array<double, count> nodes(double first, double last) {
     std::array<double, count> found{};
@@ -76,7 +76,7 @@ std::size_t VeinTable::choose_bins() {
         scale_ = static_cast<float>(count) / period_;
         return count;
     }
-    // A power of 2 scales without rounding.
+    // Scaling by a power of 2 is exact.
     scale_ = static_cast<float>(std::exp2(std::floor(std::log2(wanted / range))));
     first_ = static_cast<float>(low);
     last_ = static_cast<float>(high);
@@ -100,7 +100,7 @@ double VeinTable::sum(double z) const {
     return found;
 }
 
-// By bins: where the sum's slope jumps.
+// For each bin, the places where the slope of the sum is discontinuous.
 std::vector<std::vector<double>> VeinTable::find_kinks() const {
     std::vector<std::vector<double>> found(bins_.size());
     const auto add = [&](double z) {
@@ -111,7 +111,7 @@ std::vector<std::vector<double>> VeinTable::find_kinks() const {
     for (const solid::Vein& vein : veins_) {
         add(double(vein.centre) - double(vein.half_width));
         add(double(vein.centre) + double(vein.half_width));
-        if (period_ > 0) // where the next image becomes the nearest
+        if (period_ > 0) // half-way between periodic images
             add(double(vein.centre) + double(period_) / 2);
     }
     return found;

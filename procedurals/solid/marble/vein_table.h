@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "procedurals/solid/marble/marble_text.h"
+#include "procedurals/solid/marble/marble_as_cpp.h"
 
 #include <cstdint>
 #include <span>
@@ -9,38 +9,37 @@
 
 namespace scree {
 
-/// Eq. 8 of Okada et al. (1987) for many points: the veins' sum, 1 inside of a vein and exp(-rate
-/// distance) outside, at most 1 and unfiltered, by parabolas over even bins of the axis, so that
-/// any number of veins costs the same. Thread-safe once made.
+/// Eq. 8 of Okada et al. (1987) at many points: the unfiltered sum of the veins, each 1 inside and
+/// exp(-rate distance) outside, clamped to 1. It is tabulated as cubics over equal bins of the
+/// axis, so that the time does not depend on the number of veins. Immutable, so thread-safe.
 class VeinTable {
   public:
-    /// With a period above 0 every vein counts by its nearest image.
+    /// With a period above 0 each vein is represented by its nearest periodic image.
     VeinTable(std::span<const solid::Vein> veins, float period);
 
-    /// At z - push d along the axis; the spans have one length, and `out` may be one of the others.
-    /// All vector paths give the same bits; the scalar path is the formula. They differ by less
-    /// than 3e-6, and by what one unit in the last place of z makes.
-    void values(std::span<const float> z, std::span<const float> d, float push,
+    /// The sum at z - displacement d along the axis. The spans have equal lengths; `out` may be one
+    /// of the others. All vector paths give the same bits; the scalar path evaluates the formula.
+    /// They differ by less than 3e-6, plus the effect of one ulp of z.
+    void values(std::span<const float> z, std::span<const float> d, float displacement,
                 std::span<float> out) const;
 
-    /// A cubic in the distance from the bin's middle, in bins, lowest power first. Or, in a bin
-    /// where a vein has its edge, or which is wide for what happens in it: no number, and 2^23 plus
-    /// the number of one in divided(). (The number's bits alone would be a denormal number, over
-    /// which processors stumble.)
+    /// A cubic in the distance from the bin's middle, in bins, lowest power first. In a bin that
+    /// contains the edge of a vein, or that one cubic does not fit, it is instead NaN and 2^23 plus
+    /// an index into divided(). (The bits of the index alone would be a denormal float, which is
+    /// slow.)
     struct Bin {
         float powers[4];
     };
-    /// Such cubics up to `border` and beyond; no number in the first where the sum itself is
-    /// needed.
+    /// Two cubics, before and after `border`; the first is NaN if the formula must be evaluated.
     struct Divided {
         Bin before, after;
         float border;
     };
 
-    std::span<const solid::Vein> veins() const { return veins_; } // rates in powers of 2
+    std::span<const solid::Vein> veins() const { return veins_; } // with rates for powers of 2
     float period() const { return period_; }
-    /// The bin of a coordinate, limited to the range if there is no period, has the nearest integer
-    /// to it times the scale for its number, modulo the bins, a power of 2.
+    /// The bin of a coordinate is the nearest integer to the coordinate times the scale, modulo the
+    /// number of bins, a power of 2. Without a period the coordinate is first clamped to the range.
     float first() const { return first_; }
     float last() const { return last_; }
     float scale() const { return scale_; }

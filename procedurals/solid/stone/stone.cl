@@ -1,49 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sediments and what becomes of them: beds one over another, which the fractal field bends, with
-// grains, shells and holes in them. Needs beds.cl, grains.cl, spots.cl and hewn.cl.
+// Sedimentary and metamorphic stone: sequences of beds, warped by the fractal field, with grains,
+// shells and holes. Needs beds.cl, grains.cl, spots.cl and hewn.cl.
 
-#define STONE_MOST_BEDS 3
-#define STONE_MOST_HOLES 2
+#define STONE_MAX_BEDS 3
+#define STONE_MAX_HOLES 2
 
 typedef struct {
-    Push push;
-    Triple axis; // across the beds
-    Triple side; // along them
+    Warp warp;
+    Triple axis; // normal of the beds
+    Triple side; // a direction in their plane
     float start; // [m]
     Triple color;
-    Beds beds[STONE_MOST_BEDS];
-    Triple bed_color[STONE_MOST_BEDS];
-    float bed_share[STONE_MOST_BEDS];  // of that colour in a full bed
-    float bed_height[STONE_MOST_BEDS]; // a full bed stands out so far [m]
-    float cross;    // slope of finer beds within those of the first kind, to either side
-    Cells speckle;  // sand
-    float speckled; // of brightness from grain to grain, to either side
-    float cloudy;   // of brightness by D
+    Beds beds[STONE_MAX_BEDS];
+    Triple bed_color[STONE_MAX_BEDS];
+    float bed_share[STONE_MAX_BEDS];  // of the bed colour in a full bed
+    float bed_height[STONE_MAX_BEDS]; // of a full bed [m]
+    float cross;    // slope of the finer beds within those of the first kind: cross-bedding
+    Cells speckle;  // sand grains
+    float speckled; // variation of brightness between sand grains: the factor is 1 +- this
+    float cloudy;   // change of brightness per unit of D
     Grains grains;  // shells and pebbles
-    Spots holes[STONE_MOST_HOLES];
+    Spots holes[STONE_MAX_HOLES];
     float hole_beds;  // 1: holes are only in full beds of the first kind
     float hole_depth; // [m]
-    float hole_share; // of the colour in a hole
+    float hole_share; // of the hole colour in a hole
     Triple hole;
     Hewn hewn;
     float roughness;
     int filtered;
 } Stone;
 
-// The finer beds of a set, which lie aslant in it.
-static inline Bedded set_beds(global const Stone* stone, int i, int set, Triple place,
-                              Triple across, Triple along, float variance, Triple* direction) {
+// The finer beds of a set (a bed of the first kind), inclined by cross-bedding.
+static inline BedSample set_beds(global const Stone* stone, int i, int set, Triple place,
+                                 Triple across, Triple along, float variance, Triple* direction) {
     const uint bits = bed_bits(stone->beds[0].key ^ 0x51ed270bU, set);
-    const float slant = stone->cross * (unit_of(bits) - 0.35f);
+    const float slant = stone->cross * (uniform_of(bits) - 0.35f);
     *direction = plus(stone->axis, scaled(stone->side, slant));
     const float sigma = sqrt(filter_variance(*direction, across, along) + variance);
-    return beds_at(&stone->beds[i], bits, inner(*direction, place) - stone->start, sigma);
+    return beds_at(&stone->beds[i], bits, dot3(*direction, place) - stone->start, sigma);
 }
 
-static inline void add_beds(global const Stone* stone, Pushed at, SolidSample* sample) {
-    const float z = inner(stone->axis, at.position) - stone->start;
+static inline void add_beds(global const Stone* stone, WarpedPoint at, SolidSample* sample) {
+    const float z = dot3(stone->axis, at.position) - stone->start;
     const float sigma = sqrt(filter_variance(stone->axis, at.across, at.along) + at.variance);
-    // The set that the place lies in, and how much of the filter lies in the one beyond its border.
+    // The set that contains the point, and the share of the filter in the adjacent set.
     int set = 0, other = 0;
     float other_share = 0.0f;
     if (stone->cross > 0.0f) {
@@ -53,12 +53,12 @@ static inline void add_beds(global const Stone* stone, Pushed at, SolidSample* s
         set = bed_of(key, p);
         const float down = p - bed_floor(key, set), up = bed_floor(key, set + 1) - p;
         other = down < up ? set - 1 : set + 1;
-        other_share = normal_share(-fmin(down, up) / wide);
+        other_share = normal_cdf(-fmin(down, up) / wide);
     }
-    for (int i = 0; i < STONE_MOST_BEDS; ++i) {
+    for (int i = 0; i < STONE_MAX_BEDS; ++i) {
         if (!(stone->beds[i].share > 0.0f))
             continue;
-        Bedded found;
+        BedSample found;
         Triple slope;
         if (i == 0 || !(stone->cross > 0.0f)) {
             found = beds_at(&stone->beds[i], 0U, z, sigma);
@@ -69,23 +69,23 @@ static inline void add_beds(global const Stone* stone, Pushed at, SolidSample* s
                 set_beds(stone, i, set, at.position, at.across, at.along, at.variance, &direction);
             slope = scaled(direction, found.slope);
             if (other_share > 0.01f) {
-                const Bedded beyond = set_beds(stone, i, other, at.position, at.across, at.along,
-                                               at.variance, &direction);
-                found.value = mixed(found.value, beyond.value, other_share);
+                const BedSample beyond = set_beds(stone, i, other, at.position, at.across, at.along,
+                                                  at.variance, &direction);
+                found.value = lerp(found.value, beyond.value, other_share);
                 slope = plus(scaled(slope, 1.0f - other_share),
                              scaled(direction, beyond.slope * other_share));
             }
         }
         sample->color =
-            mixed3(sample->color, stone->bed_color[i], found.value * stone->bed_share[i]);
+            lerp3(sample->color, stone->bed_color[i], found.value * stone->bed_share[i]);
         sample->value = 1.0f - (1.0f - sample->value) * (1.0f - found.value * stone->bed_share[i]);
         sample->height += stone->bed_height[i] * found.value;
         sample->slope =
-            plus(sample->slope, scaled(gradient_before(at, slope), stone->bed_height[i]));
+            plus(sample->slope, scaled(gradient_before_warp(at, slope), stone->bed_height[i]));
     }
 }
 
-static inline float speckle_at(global const Stone* stone, Pushed at, Seeds* seeds) {
+static inline float speckle_at(global const Stone* stone, WarpedPoint at, Seeds* seeds) {
     if (!(stone->speckled > 0.0f))
         return 1.0f;
     const CellView view = cell_view(&stone->speckle, at);
@@ -96,14 +96,14 @@ static inline float speckle_at(global const Stone* stone, Pushed at, Seeds* seed
     cell_shares(view, seeds);
     float sum = 0.0f;
     for (int i = 0; i < seeds->count; ++i)
-        sum += seeds->share[i] * (2.0f * seed_unit(seeds->seed[i], 3U) - 1.0f);
+        sum += seeds->share[i] * (2.0f * seed_uniform(seeds->seed[i], 3U) - 1.0f);
     return 1.0f + stone->speckled * (1.0f - blur) * sum;
 }
 
-// Holes, which may keep to the full beds of the first kind.
-static inline Spotted holes_at(global const Stone* stone, global const Spots* holes, Pushed at,
-                               Seeds* seeds) {
-    Spotted sum = no_spot();
+// Holes, which may be limited to full beds of the first kind.
+static inline SpotSample holes_at(global const Stone* stone, global const Spots* holes,
+                                  WarpedPoint at, Seeds* seeds) {
+    SpotSample sum = no_spot();
     global const Cells* cells = &holes->cells;
     global const Beds* beds = &stone->beds[0];
     const CellView view = cell_view(cells, at);
@@ -112,27 +112,27 @@ static inline Spotted holes_at(global const Stone* stone, global const Spots* ho
         const Triple normal = filter_normal(view);
         const float reach = spots_reach(holes, view);
         gather_seeds(view, cells->jitter, reach, CELLS_REACH, 0.0f, seeds);
-        const float z = inner(stone->axis, at.position) - stone->start;
-        const Triple climb = triple(inner(stone->axis, cells->rows[0]) / cells->squares.x,
-                                    inner(stone->axis, cells->rows[1]) / cells->squares.y,
-                                    inner(stone->axis, cells->rows[2]) / cells->squares.z);
+        const float z = dot3(stone->axis, at.position) - stone->start;
+        const Triple climb = triple(dot3(stone->axis, cells->rows[0]) / cells->squares.x,
+                                    dot3(stone->axis, cells->rows[1]) / cells->squares.y,
+                                    dot3(stone->axis, cells->rows[2]) / cells->squares.z);
         for (int i = 0; i < seeds->count; ++i) {
             const Seed seed = seeds->seed[i];
-            const int bed = bed_of(beds->key, beds_place(beds, z + inner(climb, seed.away)));
+            const int bed = bed_of(beds->key, beds_place(beds, z + dot3(climb, seed.away)));
             const float full = bed_amount(beds->share, bed_bits(beds->key, bed)) > 0.0f;
-            if (seed_unit(seed, 4U) < holes->share * mixed(1.0f, full, stone->hole_beds))
+            if (seed_uniform(seed, 4U) < holes->share * lerp(1.0f, full, stone->hole_beds))
                 add_spot(&sum, ball_part(view, seed, spot_radius(holes, seed), holes->edge, reach,
                                          normal));
         }
     }
-    sum.share = mixed(sum.share, holes->mean * mixed(1.0f, beds->share, stone->hole_beds), blur);
-    sum.slope = gradient_before(at, gradient_of_cells(cells, scaled(sum.slope, 1.0f - blur)));
+    sum.share = lerp(sum.share, holes->mean * lerp(1.0f, beds->share, stone->hole_beds), blur);
+    sum.slope = gradient_before_warp(at, gradient_of_cells(cells, scaled(sum.slope, 1.0f - blur)));
     return sum;
 }
 
 static inline SolidSample stone_part(Field field, global const Stone* stone, Triple position,
                                      Triple across, Triple along, float random) {
-    const Pushed at = pushed(field, &stone->push, position, across, along, random);
+    const WarpedPoint at = warp_point(field, &stone->warp, position, across, along, random);
     Seeds seeds;
     SolidSample sample = no_sample();
     sample.color = stone->color;
@@ -146,11 +146,11 @@ static inline SolidSample stone_part(Field field, global const Stone* stone, Tri
         sample.color = plus(scaled(sample.color, 1.0f - covered), grains.color);
         sample.roughness = sample.roughness * (1.0f - covered) + grains.roughness;
     }
-    for (int i = 0; i < STONE_MOST_HOLES; ++i) {
+    for (int i = 0; i < STONE_MAX_HOLES; ++i) {
         if (!(stone->holes[i].share > 0.0f))
             continue;
-        const Spotted hole = holes_at(stone, &stone->holes[i], at, &seeds);
-        sample.color = mixed3(sample.color, stone->hole, stone->hole_share * hole.share);
+        const SpotSample hole = holes_at(stone, &stone->holes[i], at, &seeds);
+        sample.color = lerp3(sample.color, stone->hole, stone->hole_share * hole.share);
         sample.height -= stone->hole_depth * hole.share;
         sample.slope = minus(sample.slope, scaled(hole.slope, stone->hole_depth));
     }

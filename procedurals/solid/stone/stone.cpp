@@ -3,9 +3,9 @@
 
 #include "procedurals/solid/cells/grains_source.h"
 #include "procedurals/solid/solid_procedural.h"
+#include "procedurals/solid/stone/stone_as_cpp.h"
 #include "procedurals/solid/stone/stone_presets.h"
 #include "procedurals/solid/stone/stone_source.h"
-#include "procedurals/solid/stone/stone_text.h"
 
 namespace scree {
 
@@ -41,7 +41,7 @@ void set_shells(Stone& stone, const Params& params, const StonePreset& preset,
         shells.minerals = minerals_of(params.list("shells"), 5e-3 * preset_scale(params));
         if (shells.outlines.empty())
             shells.outlines = {{0.12, 0.42}};
-        while (shells.outlines.size() < GRAINS_MOST_LAYERS)
+        while (shells.outlines.size() < GRAINS_MAX_LAYERS)
             shells.outlines.push_back(shells.outlines.back());
     }
     shells.clusters = 0;
@@ -49,18 +49,13 @@ void set_shells(Stone& stone, const Params& params, const StonePreset& preset,
     stone.grains = make_grains(params, "shells", shells, lattice);
 }
 
-SCREE_FOR_PROCESSORS solid::SolidSample stone_sample(solid::Field field, const Stone* stone,
-                                                     const solid::SolidPoint& point) {
-    return solid::stone_at(field, stone, point);
-}
-
 std::shared_ptr<const Procedural> make_stone(const Params& params) {
     const StonePreset& preset = preset_named(stone_presets(), params);
     const double scale = preset_scale(params);
     const auto lattice = make_lattice(params);
     Stone stone{};
-    stone.push =
-        make_push(params, number_or(params, "turbulence", preset.turbulence), 0, preset.flatness);
+    stone.warp =
+        make_warp(params, number_or(params, "turbulence", preset.turbulence), 0, preset.flatness);
     stone.color = as_triple(color_or(params, "color", preset.color));
     stone.roughness = as_float(number_or(params, "roughness", preset.roughness));
     set_beds(stone, params, preset);
@@ -81,7 +76,7 @@ std::shared_ptr<const Procedural> make_stone(const Params& params) {
                            preset.relief_size * scale, preset.relief_stretch);
     stone.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = shapes_program({grains_source, stone_source});
-    return std::make_shared<SolidProcedural<Stone, stone_sample>>(
+    return std::make_shared<SolidProcedural<Stone, solid::stone_at>>(
         lattice, stone, SolidKernel{text.c_str(), "Stone", "stone_at"});
 }
 

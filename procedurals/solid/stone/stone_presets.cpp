@@ -118,7 +118,7 @@ StonePreset jura() {
 } // namespace
 
 const std::vector<StonePreset>& stone_presets() {
-    // Colours and sizes by eye from photographs of cut and weathered faces.
+    // Colours and sizes estimated from photographs of cut and weathered faces.
     static const std::vector<StonePreset> presets = {portland(),      travertine_romano(),
                                                      red_sandstone(), rainbow_sandstone(),
                                                      welsh_slate(),   jura()};

@@ -4,10 +4,10 @@
 #include "core/random.h"
 #include "procedurals/solid/solid_procedural.h"
 #include "procedurals/solid/solid_specs.h"
+#include "procedurals/solid/wood/wood_as_cpp.h"
 #include "procedurals/solid/wood/wood_presets.h"
 #include "procedurals/solid/wood/wood_source.h"
 #include "procedurals/solid/wood/wood_specs.h"
-#include "procedurals/solid/wood/wood_text.h"
 
 #include <algorithm>
 
@@ -24,7 +24,7 @@ const WoodPreset& preset_of(const Params& params) {
     });
 }
 
-/// A product with this takes the wood's mean colour to `wanted`.
+/// The factor that changes the wood's mean colour to `wanted`.
 Color factor_to(const Color& wanted, const Color& early, const Color& late) {
     const Color mean = early * 0.6F + late * 0.4F;
     return {wanted.x / mean.x, wanted.y / mean.y, wanted.z / mean.z};
@@ -40,7 +40,8 @@ void set_rings(Wood& wood, const Params& params, const WoodPreset& preset) {
             throw params.error("rings", "rings and ring_thickness say the same: give one");
         wood.ring = as_float(params.number("size") / params.number("rings"));
     }
-    wood.push = as_float(number_or(params, "turbulence", preset.turbulence) * cell_length(params));
+    wood.displacement =
+        as_float(number_or(params, "turbulence", preset.turbulence) * cell_length(params));
     wood.ring_variation = number("ring_variation", preset.ring_variation);
     wood.tint_variation = number("tint_variation", preset.tint_variation);
     wood.asymmetry = number("asymmetry", preset.asymmetry);
@@ -65,22 +66,17 @@ void set_cells(Wood& wood, const Params& params, const WoodPreset& preset) {
     const auto number = [&](const char* name, double otherwise) {
         return as_float(number_or(params, name, otherwise));
     };
-    // Vessels fill half of their cells' width at most, so that each reaches its neighbours only.
+    // Vessels are at most as wide as half a cell, so that each reaches adjacent cells only.
     const float pore = number("pore_size", preset.pore_size);
     wood.pore_share = number("pores", preset.pores);
     wood.pore_radius = 0.32F;
-    wood.pore_cell = pore / (2 * wood.pore_radius * 0.8F); // radii vary about 0.8 of the largest
+    wood.pore_cell = pore / (2 * wood.pore_radius * 0.8F); // the mean radius is 0.8 of the largest
     wood.pore_length = number("pore_length", preset.pore_length);
     wood.ring_porous = number("ring_porous", preset.ring_porous);
     wood.ray_share = number("rays", preset.rays);
     wood.ray_width = number("ray_width", preset.ray_width);
     wood.ray_height = number("ray_height", preset.ray_height);
     wood.ray_cell = wood.ray_width * 5;
-}
-
-SCREE_FOR_PROCESSORS solid::SolidSample wood_sample(solid::Field field, const Wood* wood,
-                                                    const solid::SolidPoint& point) {
-    return solid::wood_at(field, wood, point);
 }
 
 std::shared_ptr<const Procedural> make_wood(const Params& params) {
@@ -105,7 +101,7 @@ std::shared_ptr<const Procedural> make_wood(const Params& params) {
     wood.iterations = static_cast<int>(params.integer("iterations"));
     set_rings(wood, params, preset);
     set_cells(wood, params, preset);
-    wood.wander_rate = as_float(2 * pi / 0.6); // trunks bend over some decimetres
+    wood.wander_rate = as_float(2 * pi / 0.6); // a wavelength of 0.6 m
     wood.knot_spacing = params.number("knots") > 0 ? as_float(1 / params.number("knots")) : 0.0F;
     wood.knot_growth = as_float(params.number("knot_size"));
     wood.fibre = as_float(number_or(params, "fibre", preset.fibre));
@@ -131,7 +127,7 @@ std::shared_ptr<const Procedural> make_wood(const Params& params) {
     wood.knot = {0.5F, 0.38F, 0.28F};
     if (params.has("knot"))
         wood.knot = as_color(factor_to(reflectance(params, "knot"), early, late));
-    return std::make_shared<SolidProcedural<Wood, wood_sample>>(
+    return std::make_shared<SolidProcedural<Wood, solid::wood_at>>(
         make_lattice(params), wood, SolidKernel{wood_source, "Wood", "wood_at"});
 }
 
@@ -139,7 +135,7 @@ std::shared_ptr<const Procedural> make_wood(const Params& params) {
 
 Plugin<MakeProcedural> wood_plugin() {
     return {"wood",
-            "Wood: annual rings about a pith, pushed about by a fractal field (Okada et al. 1987), "
+            "Wood: annual rings around a pith, displaced by a fractal field (Okada et al. 1987), "
             "with knots, vessels and rays, filtered over the pixel.",
             wood_specs(), make_wood};
 }

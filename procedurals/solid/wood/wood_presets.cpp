@@ -15,7 +15,7 @@ WoodPreset timber(const char* name, unsigned early, unsigned late) {
     return wood;
 }
 
-WoodPreset paper() { // Okada et al. 1987: sine rings and a fluctuation like that of marble
+WoodPreset paper() { // Okada et al. 1987: sine rings, displaced as marble
     WoodPreset wood = timber("paper", 0xd9a866, 0x7d4a22);
     wood.ring = 0.1 / 16;
     wood.sine = true;
@@ -98,7 +98,7 @@ WoodPreset cherry() { // diffuse-porous, fine
     return wood;
 }
 
-WoodPreset beech() { // its flecks are rays
+WoodPreset beech() { // with rays visible as flecks
     WoodPreset wood = timber("beech", 0xd9ae84, 0xbb8a5f);
     wood.ring = 2.2e-3;
     wood.fibre = 0.12;
@@ -159,7 +159,7 @@ WoodPreset rosewood() {
 } // namespace
 
 const std::vector<WoodPreset>& wood_presets() {
-    // Rings, vessels and rays from Hoadley, "Identifying Wood" (1990); colours by eye.
+    // Rings, vessels and rays from Hoadley, "Identifying Wood" (1990); colours estimated by eye.
     static const std::vector<WoodPreset> presets = {oak(),   pine(),  ash(),  walnut(),   cherry(),
                                                     beech(), maple(), teak(), rosewood(), paper()};
     return presets;

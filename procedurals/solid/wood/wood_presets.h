@@ -8,17 +8,17 @@
 
 namespace scree {
 
-/// A timber. Lengths in metres, as trees have them.
+/// A timber, with real dimensions in metres.
 struct WoodPreset {
     std::string name;
     Color early, late;
-    double ring = 3e-3;                           // a year's mean width
+    double ring = 3e-3;                           // mean width of a ring
     bool sine = false;                            // the paper's profile
-    double early_share = 0.45, late_share = 0.15; // of a year; between them wood darkens
-    double late_sharpness = 0.85;                 // 1: the year ends at once
+    double early_share = 0.45, late_share = 0.15; // of a year; the rest is the transition
+    double late_sharpness = 0.85;                 // 1: the year ends abruptly
     double ring_variation = 0.35, tint_variation = 0.35;
     double turbulence = 1.6; // k, in cells of the paper's lattice of 64
-    double stretch = 7;      // of the fluctuation along the trunk
+    double stretch = 7;      // of the displacing field along the trunk
     double asymmetry = 0.12, wander = 2e-3;
     double fibre = 0.25;
     double pores = 0, pore_size = 0.18e-3, pore_length = 6e-3, ring_porous = 0;

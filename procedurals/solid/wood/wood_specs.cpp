@@ -14,21 +14,9 @@ ParamSpec preset_spec() {
         names.push_back(preset.name);
     return {.name = "preset",
             .type = ParamType::choice,
-            .doc = "A timber to start from; what else is given changes it.",
+            .doc = "Timber with default parameters, which the other parameters override.",
             .fallback = std::string("oak"),
             .choices = names};
-}
-
-/// A number that is there whatever the preset.
-ParamSpec plain_number(std::string name, std::string doc, std::string unit, double fallback,
-                       double min, double max) {
-    return {.name = std::move(name),
-            .type = ParamType::number,
-            .doc = std::move(doc),
-            .unit = std::move(unit),
-            .fallback = fallback,
-            .min = min,
-            .max = max};
 }
 
 } // namespace
@@ -49,7 +37,7 @@ std::vector<ParamSpec> wood_specs() {
         preset_number("stretch", "Of the fractal field along the trunk.", "", 0.01, 1000),
         {.name = "profile",
          .type = ParamType::choice,
-         .doc = "Of a year: spring and autumn, or the paper's sine.",
+         .doc = "Profile of a ring: early and late wood, or the paper's sine.",
          .optional = true,
          .choices = {"year", "sine"}},
         preset_number("early_share", "Share of a year that is early wood alone.", "", 0, 0.95),
@@ -69,21 +57,21 @@ std::vector<ParamSpec> wood_specs() {
         preset_number("ray_height", "Height of a ray along the trunk.", "m", 1e-6, 10),
         preset_number("ray_width", "Width of a ray.", "m", 1e-7, 1),
         preset_color("ray", "Colour of rays."),
-        plain_number("knots", "Branches per metre of trunk.", "1/m", 0, 0, 1000),
-        plain_number("knot_size", "Growth of a branch's radius against the trunk's.", "", 0.12,
-                     0.01, 0.9),
+        number_spec("knots", "Branches per metre of trunk.", "1/m", 0, 0, 1000),
+        number_spec("knot_size", "Growth of a branch's radius against the trunk's.", "", 0.12, 0.01,
+                    0.9),
         {.name = "knot",
          .type = ParamType::color,
-         .doc = "Colour of knots; unless given, darker and redder than the wood.",
+         .doc = "Colour of knots; darker and redder than the wood when not given.",
          .optional = true},
         preset_number("sapwood", "Radius from which the wood is sapwood; none unless given.", "m",
                       0, 1e3),
-        plain_number("late_height", "How far late wood stands out, as on weathered boards.", "m", 0,
-                     -1, 1),
-        plain_number("pore_depth", "Depth of vessels that are cut open.", "m", 0, -1, 1),
+        number_spec("late_height", "How far late wood stands out, as on weathered boards.", "m", 0,
+                    -1, 1),
+        number_spec("pore_depth", "Depth of vessels that are cut open.", "m", 0, -1, 1),
         {.name = "iterations",
          .type = ParamType::integer,
-         .doc = "Steps to what the displacement brought here; 0: to first order.",
+         .doc = "Iterations of the inversion of the displacement; 0: first order.",
          .fallback = std::int64_t{0},
          .min = 0.0,
          .max = 16.0},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a scene, bakes it and counts what came out, with nothing but the installed headers.
+// Reads a scene, bakes it and counts the instances, using only the installed headers.
 #include "core/version.h"
 #include "session/session.h"
 
