@@ -7,6 +7,7 @@
 #include "core/image.h"
 #include "render/film/color.h"
 #include "session/render_scene.h"
+#include "tests/support/rendering.h"
 
 #include <gtest/gtest.h>
 
@@ -58,18 +59,6 @@ BlockMeans block_of(const std::vector<ImagePart>& parts, int bx, int by, int cha
     return out;
 }
 
-// Two-sided critical value of a standard normal at Sidak's level for `tests` tests.
-double critical_z(int tests) {
-    const double alpha = 1 - std::pow(1 - significance, 1.0 / tests);
-    double low = 0;
-    double high = 20;
-    for (int i = 0; i < 200; ++i) {
-        const double middle = (low + high) / 2;
-        (std::erfc(middle / std::sqrt(2.0)) > alpha ? low : high) = middle;
-    }
-    return low;
-}
-
 double worst_z(const std::vector<ImagePart>& a, const std::vector<ImagePart>& b) {
     const Image& image = a[0].image;
     double worst = 0;
@@ -100,11 +89,11 @@ TEST_P(Golden, PictureIsThatOfTheReference) {
     const std::vector<ImagePart> actual = render_parts(script, 0, 2);
     ASSERT_EQ(expected.size(), 2U);
     ASSERT_EQ(expected[0].image.width, actual[0].image.width);
-    const int tests = 3 * ((actual[0].image.width + block - 1) / block) *
+    const int count = 3 * ((actual[0].image.width + block - 1) / block) *
                       ((actual[0].image.height + block - 1) / block);
     const double z = worst_z(expected, actual);
-    EXPECT_LT(z, critical_z(tests));
-    if (z >= critical_z(tests)) {
+    EXPECT_LT(z, test::sidak_quantile(significance, count));
+    if (z >= test::sidak_quantile(significance, count)) {
         write_exr(std::string(GetParam()) + "_failed.exr", actual, {});
         write_png(std::string(GetParam()) + "_failed.png", to_display(actual[0].image));
     }
@@ -112,7 +101,7 @@ TEST_P(Golden, PictureIsThatOfTheReference) {
     std::vector<ImagePart> brighter = actual;
     for (float& value : brighter[0].image.pixels)
         value *= 1.02F;
-    EXPECT_GT(worst_z(expected, brighter), critical_z(tests));
+    EXPECT_GT(worst_z(expected, brighter), test::sidak_quantile(significance, count));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden,

@@ -5,6 +5,7 @@
 #include "core/parallel.h"
 #include "generators/pile/pile_generator.h"
 #include "generators/pile/pile_kind.h"
+#include "geometry/bodies/advance.h"
 #include "tests/support/aggregates.h"
 #include "tests/support/component_checks.h"
 #include "tests/support/layout_params.h"
@@ -106,6 +107,17 @@ inline Params pile_params(const Mesh& target, std::vector<Params> components) {
                {"scene.lua", 10});
     params.set("cover", 0.0);
     return params;
+}
+
+/// How deep a body reaches into any other of the pile [m]; negative: the gap to the nearest one.
+inline float greatest_depth(const PlacedBodies& pile, std::size_t body) {
+    float deepest = -1;
+    for (std::size_t other = 0; other < pile.all.size(); ++other)
+        if (other != body)
+            deepest = std::max(deepest,
+                               depth_between(pile.body(pile.all[body]), pile.all[body].pose,
+                                             pile.body(pile.all[other]), pile.all[other].pose, -1));
+    return deepest;
 }
 
 /// Expects that `bake()` gives bit-identical instances on 1, 2 and 7 threads.

@@ -155,12 +155,7 @@ TEST(PileSettle, WhatIsNotOnTheGroundTouchesOthers) {
         if (pile.all[i].height < 0.02 * grain.radius)
             continue;
         ++high;
-        float nearest = -1;
-        for (std::size_t j = 0; j < pile.all.size(); ++j)
-            if (i != j)
-                nearest = std::max(
-                    nearest, depth_between(grain, pile.all[i].pose, grain, pile.all[j].pose, -1));
-        EXPECT_GT(nearest, -0.1 * grain.radius);
+        EXPECT_GT(tests::greatest_depth(pile, i), -0.1 * grain.radius);
     }
     EXPECT_GT(high, 20);
 }
