@@ -18,7 +18,8 @@ endfunction()
 # (GCC bugs 105329, 105651); builds without it report what is ours.
 function(scree_precompiled_warnings target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(${target} PRIVATE -Wno-stringop-overflow -Wno-array-bounds)
+    target_compile_options(${target} PRIVATE -Wno-stringop-overflow -Wno-stringop-overread
+      -Wno-array-bounds)
   endif()
 endfunction()
 
