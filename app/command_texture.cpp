@@ -222,7 +222,7 @@ void check_fills_space(const TextureSubject& subject, TextureMap map) {
                                      "use --map uv");
 }
 
-/// A placeholder for items that need not be baked.
+/// Stands for an item that need not be baked.
 std::shared_ptr<const SceneItem> nothing() {
     return std::make_shared<const SceneItem>(
         SceneItem{"object", [](const Context&, std::uint64_t) { return Aggregate{}; }});

@@ -44,7 +44,8 @@ std::string type_text(const ParamSpec& spec) {
     case ParamType::record:
         return "table";
     case ParamType::list:
-        return is_object_list(spec) ? "list of " + type_text(spec.fields.front()) : "list of tables";
+        return is_object_list(spec) ? "list of " + type_text(spec.fields.front())
+                                    : "list of tables";
     }
     return "value";
 }

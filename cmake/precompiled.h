@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Headers of libraries that most sources include, parsed once. Every file still includes what it
-// uses: -D SCREE_PRECOMPILED_HEADERS=OFF builds without this.
+// uses: -D SCREE_FAST_BUILD=OFF builds without this.
 #pragma once
 
 #include <ImathBox.h>

@@ -24,7 +24,7 @@ struct Prototype {
     Shape shape{};                              // in object space [m]
     std::shared_ptr<const Region> region{};     // exclusive region, if the generator has one
     std::shared_ptr<const Material> material{}; // null: grey matte
-    std::shared_ptr<const Picture> picture{};   // set when it is a flat picture: its view from above
+    std::shared_ptr<const Picture> picture{}; // set when it is a flat picture: its view from above
 
     /// Null when the shape is of another kind, or there is none.
     const Mesh* mesh() const {

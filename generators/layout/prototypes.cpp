@@ -44,9 +44,9 @@ Components components_from(const std::vector<LayoutComponent>& components, Margi
                 "region");
         Prototype prototype;
         prototype.shape = component.mesh != nullptr
-                             ? component.mesh
-                             : std::make_shared<const Mesh>(flat_mesh(
-                                   *component.flat_shape, fmt::format("component_{}", i)));
+                              ? component.mesh
+                              : std::make_shared<const Mesh>(flat_mesh(
+                                    *component.flat_shape, fmt::format("component_{}", i)));
         prototype.name = prototype.mesh()->name;
         prototype.region = margins == Margins::by_place ? bare : with_margin(component, bare);
         prototype.material = component.material;

@@ -40,7 +40,8 @@ KindDrafts::KindDrafts(std::span<const ComponentSettings> components, std::uint6
         completions.resize(kinds.size());
         parallel_for(shapes.size(), 1, [&](std::size_t i) {
             BodyDraft draft = located(component.shape_place, [&] {
-                return draft_body(std::get<std::shared_ptr<const Mesh>>(shapes[i].shape), component.thickness);
+                return draft_body(std::get<std::shared_ptr<const Mesh>>(shapes[i].shape),
+                                  component.thickness);
             });
             completions[first + i] = std::move(draft.complete);
             kinds[first + i] = {

@@ -32,8 +32,8 @@ void run_solid_kernel(Device& device, const SolidKernel& kernel,
                       std::span<const std::byte> settings, const FractalLattice& lattice,
                       std::span<const ShadingPoint> points, std::span<ShadingSample> samples);
 
-/// A function of a .cl file, also compiled for processors with AVX2, with all that it calls inlined.
-/// No operation is fused or reordered, so that both give the same bits.
+/// A function of a .cl file, also compiled for processors with AVX2, with all that it calls
+/// inlined. No operation is fused or reordered, so that both give the same bits.
 template <class Settings, auto Function>
 struct SolidFunction {
     using Type = solid::SolidSample (*)(solid::Field, const Settings*, const solid::SolidPoint&);
