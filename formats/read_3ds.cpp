@@ -124,12 +124,12 @@ void read_chunks(Bytes bytes, std::uint16_t parent, Mesh& mesh) {
 
 } // namespace
 
-Mesh read_3ds(std::string_view bytes) {
+FileMesh read_3ds(std::string_view bytes) {
     if (!bytes.starts_with("MM"))
         throw Error("it is not a 3DS file");
     Mesh mesh;
     read_chunks(Bytes(bytes), 0, mesh);
-    return mesh;
+    return to_file_mesh(mesh);
 }
 
 } // namespace scree

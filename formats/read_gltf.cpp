@@ -265,7 +265,7 @@ Callbacks file_access() {
 
 } // namespace
 
-Mesh read_gltf(std::string_view bytes, const std::string& folder) {
+FileMesh read_gltf(std::string_view bytes, const std::string& folder) {
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(ignore_image, nullptr);
     loader.SetFsCallbacks(file_access<tinygltf::FsCallbacks>());
@@ -296,7 +296,7 @@ Mesh read_gltf(std::string_view bytes, const std::string& folder) {
         for (std::size_t i = 0; i < model.meshes.size(); ++i)
             collector.add(int(i), Matrix());
     }
-    return std::move(collector.mesh);
+    return to_file_mesh(collector.mesh);
 }
 
 } // namespace scree

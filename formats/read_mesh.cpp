@@ -11,7 +11,7 @@ namespace scree {
 
 namespace {
 
-Mesh read_by_ending(const std::string& path, std::string_view bytes) {
+FileMesh read_by_ending(const std::string& path, std::string_view bytes) {
     const std::string ending = extension(path);
     if (ending == "obj")
         return read_obj(bytes);
@@ -27,17 +27,17 @@ Mesh read_by_ending(const std::string& path, std::string_view bytes) {
 }
 
 // Products of three coordinates must stay finite in single precision.
-constexpr float largest_position = 1e12F;
+constexpr double largest_position = 1e12;
 
 // Checks a reader's mesh: indices in range, positions finite, normals and UVs valid or dropped.
-void check(Mesh& mesh) {
+void check(FileMesh& mesh) {
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        if (!is_finite(mesh.positions[i]))
-            throw Error("vertex " + std::to_string(i) + " has a position that is not a number");
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        for (int axis = 0; axis < 3; ++axis)
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!std::isfinite(mesh.positions[i][axis]))
+                throw Error("vertex " + std::to_string(i) + " has a position that is not a number");
             if (std::abs(mesh.positions[i][axis]) > largest_position)
                 throw Error("vertex " + std::to_string(i) + " lies more than 1e12 away");
+        }
     for (const Mesh::Triangle& t : mesh.triangles)
         for (const std::uint32_t index : t)
             if (index >= mesh.positions.size())
@@ -57,17 +57,10 @@ void check(Mesh& mesh) {
         mesh.uvs.clear();
 }
 
-} // namespace
-
-Mesh read_mesh(const std::string& path) {
-    return read_mesh_bytes(path, read_file(path)); // errors of read_file already name the file
-}
-
-Mesh read_mesh_bytes(const std::string& path, std::string_view bytes) {
+FileMesh read_checked(const std::string& path, std::string_view bytes) {
     try {
-        Mesh mesh = read_by_ending(path, bytes);
+        FileMesh mesh = read_by_ending(path, bytes);
         check(mesh);
-        mesh.name = file_name(path);
         return mesh;
     } catch (const Error& problem) {
         throw Error(path + ": " + problem.diagnostics().front().message);
@@ -76,6 +69,20 @@ Mesh read_mesh_bytes(const std::string& path, std::string_view bytes) {
     } catch (const std::exception& problem) { // thrown by a library
         throw Error(path + ": it is damaged: " + problem.what());
     }
+}
+
+} // namespace
+
+FileMesh read_file_mesh(const std::string& path) {
+    return read_checked(path, read_file(path)); // errors of read_file already name the file
+}
+
+Mesh read_mesh(const std::string& path) { return read_mesh_bytes(path, read_file(path)); }
+
+Mesh read_mesh_bytes(const std::string& path, std::string_view bytes) {
+    Mesh mesh = to_mesh(read_checked(path, bytes));
+    mesh.name = file_name(path);
+    return mesh;
 }
 
 } // namespace scree

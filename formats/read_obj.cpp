@@ -29,7 +29,7 @@ class Vertices {
         return entry->second;
     }
 
-    Mesh mesh;
+    FileMesh mesh;
 
   private:
     static void check(int index, std::size_t count) {
@@ -77,7 +77,7 @@ void check_numbers(std::string_view bytes) {
 
 } // namespace
 
-Mesh read_obj(std::string_view bytes) {
+FileMesh read_obj(std::string_view bytes) {
     check_numbers(bytes);
     std::istringstream in{std::string(bytes)};
     tinyobj::attrib_t attributes;

@@ -195,7 +195,7 @@ std::size_t list_length(Reader& reader, Scalar type) {
     return static_cast<std::size_t>(count);
 }
 
-void read_vertices(Reader& reader, const Element& element, Mesh& mesh) {
+void read_vertices(Reader& reader, const Element& element, FileMesh& mesh) {
     std::array<bool, 8> has{};
     for (const Property& property : element.properties)
         if (const int slot = vertex_slot(property.name); slot >= 0 && !property.count)
@@ -203,24 +203,24 @@ void read_vertices(Reader& reader, const Element& element, Mesh& mesh) {
     if (!has[0] || !has[1] || !has[2])
         throw Error("its vertices have no x, y, z");
     for (std::size_t i = 0; i < element.count; ++i) {
-        std::array<float, 8> value{};
+        std::array<double, 8> value{};
         for (const Property& property : element.properties) {
             const std::size_t count = property.count ? list_length(reader, *property.count) : 1;
             for (std::size_t k = 0; k < count; ++k) {
                 const double number = reader.number(property.type);
                 if (const int slot = vertex_slot(property.name); slot >= 0 && !property.count)
-                    value[std::size_t(slot)] = static_cast<float>(number);
+                    value[std::size_t(slot)] = number;
             }
         }
         mesh.positions.emplace_back(value[0], value[1], value[2]);
         if (has[3] && has[4] && has[5])
-            mesh.normals.emplace_back(value[3], value[4], value[5]);
+            mesh.normals.emplace_back(Imath::V3d(value[3], value[4], value[5]));
         if (has[6] && has[7])
-            mesh.uvs.emplace_back(value[6], value[7]);
+            mesh.uvs.emplace_back(Vec2(value[6], value[7]));
     }
 }
 
-void read_faces(Reader& reader, const Element& element, Mesh& mesh) {
+void read_faces(Reader& reader, const Element& element, FileMesh& mesh) {
     std::vector<std::uint32_t> corners;
     for (std::size_t i = 0; i < element.count; ++i)
         for (const Property& property : element.properties) {
@@ -254,12 +254,12 @@ void skip(Reader& reader, const Element& element) {
 
 } // namespace
 
-Mesh read_ply(std::string_view bytes) {
+FileMesh read_ply(std::string_view bytes) {
     if (!bytes.starts_with("ply"))
         throw Error("it is not a PLY file");
     const Header header = parse_header(bytes);
     Reader reader(bytes.substr(header.size), header.encoding);
-    Mesh mesh;
+    FileMesh mesh;
     for (const Element& element : header.elements) {
         if (element.name == "vertex")
             read_vertices(reader, element, mesh);

@@ -40,7 +40,7 @@ void check_binary_size(std::string_view bytes) {
 
 } // namespace
 
-Mesh read_stl(std::string_view bytes) {
+FileMesh read_stl(std::string_view bytes) {
     static_assert(std::endian::native == std::endian::little);
     using Point = CGAL::Simple_cartesian<float>::Point_3;
     if (is_binary(bytes))
@@ -52,7 +52,7 @@ Mesh read_stl(std::string_view bytes) {
     std::vector<std::array<std::size_t, 3>> facets;
     if (!CGAL::IO::read_STL(in, points, facets))
         throw Error("it is damaged");
-    Mesh mesh;
+    FileMesh mesh;
     for (const Point& p : points)
         mesh.positions.emplace_back(p.x(), p.y(), p.z());
     for (const auto& f : facets)

@@ -140,7 +140,7 @@ class FabricationFile : public testing::Test {
 TEST_F(FabricationFile, StlReadsBackInMillimetresWithZUp) {
     const Mesh mesh = solid();
     write_stl(path("a.stl"), mesh);
-    const Mesh read = read_stl(read_file(path("a.stl")));
+    const Mesh read = to_mesh(read_stl(read_file(path("a.stl"))));
     EXPECT_EQ(read.triangles.size(), mesh.triangles.size());
     EXPECT_TRUE(inspect(read).closed());
     EXPECT_NEAR(volume(read), volume(mesh) / mm3, 1e-5 * volume(mesh) / mm3);
