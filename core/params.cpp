@@ -137,6 +137,13 @@ Error Params::error(const std::string& name, std::string message, std::string hi
     return place(name).error(std::move(message), std::move(hint));
 }
 
+void Params::warn(const std::string& name, std::string message, std::string hint) const {
+    if (!warnings_)
+        return;
+    const ParamPlace at = place(name);
+    warnings_->push_back({at.where, at.path, std::move(message), std::move(hint)});
+}
+
 Error ParamPlace::error(std::string message, std::string hint) const {
     return Error(Diagnostic{where, path, std::move(message), std::move(hint)});
 }

@@ -39,6 +39,9 @@ enum class ParamType {
 
 class Params;
 
+/// What users are told although nothing failed, in the order found.
+using Warnings = std::vector<Diagnostic>;
+
 using Value =
     std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec2, Vec3, Color, Range,
                  std::vector<Vec2>, SharedObject, std::shared_ptr<const std::vector<Params>>>;
@@ -98,6 +101,9 @@ class Params {
 
     void set(const std::string& name, Value value, Location where = {});
 
+    /// Where `warn` puts its warnings; without, they are lost.
+    void set_warnings(std::shared_ptr<Warnings> warnings) { warnings_ = std::move(warnings); }
+
     bool has(const std::string& name) const; // given, or has a default
     bool flag(const std::string& name) const;
     std::int64_t integer(const std::string& name) const;
@@ -129,6 +135,10 @@ class Params {
     /// An error that names this parameter's file, line and path.
     Error error(const std::string& name, std::string message, std::string hint = {}) const;
 
+    /// Tells the user something about this parameter that is no error: what of a file is not read,
+    /// and does not make the result wrong.
+    void warn(const std::string& name, std::string message, std::string hint = {}) const;
+
   private:
     struct Entry {
         Value value;
@@ -141,6 +151,7 @@ class Params {
     std::string path_;
     Location where_;
     std::map<std::string, Entry> entries_;
+    std::shared_ptr<Warnings> warnings_;
 };
 
 } // namespace scree

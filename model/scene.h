@@ -5,6 +5,7 @@
 #include "core/context.h"
 #include "core/error.h"
 #include "core/image.h"
+#include "core/params.h"
 #include "model/aggregate.h"
 #include "model/camera.h"
 #include "model/film_settings.h"
@@ -43,6 +44,7 @@ struct SceneItem {
 struct SceneDraft {
     Scene scene;
     std::vector<std::shared_ptr<const SceneItem>> items;
+    std::shared_ptr<Warnings> warnings = std::make_shared<Warnings>(); // items add theirs
 };
 
 } // namespace scree

@@ -39,6 +39,7 @@ const Table& fields_of(const Description& value) {
 Params Maker::params(const Description& table, const std::string& path,
                      const std::vector<ParamSpec>& specs) {
     Params out(path, table.where);
+    out.set_warnings(mistakes_.warnings());
     if (!is_table(table)) {
         mistakes_.add(table.where, path,
                       "expected fields with names, got " +
@@ -229,6 +230,7 @@ Value Maker::records(const Given& given, const ParamSpec& spec) {
         } else if (spec.fields.size() == 1) { // palette = { {1, 0, 0} }: the only field's value
             const ParamSpec& field = spec.fields.front();
             Params one(path, where);
+            one.set_warnings(mistakes_.warnings());
             one.set(field.name, value({*item.value, where, path}, field), where);
             out.push_back(std::move(one));
         } else {
