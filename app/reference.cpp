@@ -177,7 +177,7 @@ std::string reference_markdown(std::span<const CatalogRow> rows) {
             out += fmt::format("\n## {}\n", row.family);
             if (row.family == "mesh")
                 out += "\nMeshes are centred on the y axis, and their lowest point is at y = 0; "
-                       "those of `mesh.file` are if they have a `size`.\n";
+                       "those of `mesh.file` are with `size` or `centre`.\n";
         }
         family = row.family;
         out += fmt::format("\n### {}\n\n{}\n", full_name(row), row.doc);

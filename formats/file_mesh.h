@@ -3,6 +3,7 @@
 
 #include "geometry/mesh/mesh.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,14 @@ struct FileMesh {
     std::vector<Mesh::Triangle> triangles;
     std::vector<std::string> warnings; // decoration that the file holds and that is not read
 };
+
+/// Appends a part of the same file. Texture coordinates and normals are kept only when both have
+/// them; a warning tells where not.
+void append(FileMesh& mesh, FileMesh part);
+
+/// Appends the triangles of a face whose corners, three or more, are indices of positions in range.
+/// Answers whether the face crosses itself.
+bool append_face(FileMesh& mesh, std::span<const std::uint32_t> corners);
 
 /// The same in single precision; positions are rounded.
 Mesh to_mesh(const FileMesh& mesh);

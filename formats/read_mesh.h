@@ -14,10 +14,11 @@ namespace scree {
 /// file has them for every vertex. Throws Error (input) that begins with the path.
 FileMesh read_file_mesh(const std::string& path);
 
-/// The same in single precision, named after the file.
-Mesh read_mesh(const std::string& path);
-
 /// The same for given bytes, as if they were the content of `path`.
+FileMesh read_file_mesh_bytes(const std::string& path, std::string_view bytes);
+
+/// The same in single precision, named after the file; without what the reader warned of.
+Mesh read_mesh(const std::string& path);
 Mesh read_mesh_bytes(const std::string& path, std::string_view bytes);
 
 /// The readers of the formats. They throw Error (input) without the file's name.

@@ -22,6 +22,28 @@ std::string ply_ascii() {
            "0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n7\n";
 }
 
+std::string ply_strips() {
+    return "ply\rformat ascii 1.0\relement vertex 5\rproperty double x\rproperty double y\r"
+           "property double z\rproperty float s\rproperty float t\relement tristrips 1\r"
+           "property list int int vertex_indices\relement face 1\r"
+           "property list uchar uint vertex_index\rend_header\r"
+           "5e6 0 0 0 0\r5e6 1 0 0 1\r5000001 0 0 1 0\r5000001 1 0 1 1\r5000000.5 0.5 0 0 0\r"
+           "9 0 1 2 3 3 -1 0 1 4\r5 0 2 3 4 1\r";
+}
+
+// Faces of many corners: concave, with a bridge to a hole, and one that crosses itself.
+std::string obj_faces() {
+    return "\xef\xbb\xbfv 0 0 0\nv\t4 0 0\n v 4 4 0 \\\n\nv 0 4 0\nv 1 1 0 1 .5 .5\nv 1 3 0\n"
+           "v 3 3 0\nv 3 1 0\nf 1 2 3 4 1 5 6 7 8 5\nf -8 -7 -4 -6 -5\nf 1// 3// \\\n2// 4//\nl 1 "
+           "2\n";
+}
+
+std::string stl_words() {
+    return "\n Solid of two\r\nFACET NORMAL 0 0 1\tOUTER LOOP VERTEX 0 0 0 VERTEX 1e0 0 0 "
+           "vertex 1 1 0 vertex 0 1 0 endloop endfacet\nendsolid of two\nsolid\nfacet outer loop\n"
+           "vertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\nendsolid\n";
+}
+
 std::string ply_binary(bool big) {
     std::string out = std::string("ply\nformat binary_") + (big ? "big" : "little") +
                       "_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
@@ -82,10 +104,13 @@ MeshSeed seed(const std::string& name, const std::string& ending, std::string by
 
 std::vector<MeshSeed> mesh_seeds() {
     return {seed("obj", "obj", obj()),
+            seed("obj_faces", "obj", obj_faces()),
             seed("ply_ascii", "ply", ply_ascii()),
+            seed("ply_strips", "ply", ply_strips()),
             seed("ply_little", "ply", ply_binary(false)),
             seed("ply_big", "ply", ply_binary(true)),
             seed("stl_ascii", "stl", stl_ascii()),
+            seed("stl_words", "stl", stl_words()),
             seed("stl_binary", "stl", stl_binary()),
             seed("gltf", "gltf", gltf()),
             seed("glb", "glb", glb_of(gltf_json(""))),

@@ -164,19 +164,21 @@ TEST_F(MeshFile, Errors) {
     EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1e30 0\n3 0 1 2\n"),
               "a.ply: vertex 2 lies more than 1e12 away");
     EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
-              "a.ply: a face names vertex 3 of 3");
+              "a.ply: line 13: a face names vertex 3 of 3");
     EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
-              "a.ply: face 0 has an index out of range");
+              "a.ply: line 13: a face names vertex -1 of 3");
     EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1 0\n200 0 1 2\n"),
-              "a.ply: it has a list of an impossible length");
-    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 zero\n"), "a.ply: \"zero\" is not a number");
-    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n"), "a.ply: it ends too early");
+              "a.ply: line 13: a list has an impossible length");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 zero\n"),
+              "a.ply: line 11: \"zero\" is not a number");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n"),
+              "a.ply: line 11: the file ends too early: its header counts 3 rows of vertex");
     EXPECT_EQ(problem("a.ply", "ply\nformat ascii 1.0\n"), "a.ply: its header has no end");
     EXPECT_EQ(problem("a.ply", ""), "a.ply: it is not a PLY file");
     EXPECT_EQ(problem("a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-              "a.obj: line 1: \"nan\" is not a number");
+              "a.obj: line 1: coordinate x of a vertex is not a finite number");
     EXPECT_EQ(problem("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"),
-              "a.obj: a face names vertex 9 of 3");
+              "a.obj: line 4: a face names vertex 9 of 3");
     EXPECT_EQ(problem("a.obj", "v 0 0 0\n"), "a.obj: it has no triangles");
     EXPECT_EQ(problem("a.obj", ""), "a.obj: it has no triangles");
     EXPECT_EQ(problem("a.stl", "cut" + stl_binary("solid but binary").substr(3, 197)),
@@ -194,16 +196,17 @@ TEST_F(MeshFile, HugeCountsAreRefusedAtOnce) {
     EXPECT_EQ(problem("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex "
                                "18446744073709551615\n" +
                                    vertices + "end_header\n1234"),
-              "a.ply: it ends too early");
+              "a.ply: vertex 0: the file ends too early");
     EXPECT_EQ(problem("a.ply", "ply\nformat ascii 1.0\nelement nothing 18446744073709551615\n"
                                "element vertex 1\n" +
                                    vertices + "end_header\n0 0 0\n"),
-              "a.ply: it has no triangles");
+              "a.ply: it has no triangles; not read: 18446744073709551615 rows of element "
+              "\"nothing\"");
     std::string list = "ply\nformat binary_little_endian 1.0\nelement vertex 1\n" + vertices +
                        "element face 1\nproperty list double int vertex_indices\nend_header\n" +
                        std::string(12, '\0');
     put(list, 1e18);
-    EXPECT_EQ(problem("a.ply", list), "a.ply: it has a list of an impossible length");
+    EXPECT_EQ(problem("a.ply", list), "a.ply: face 0: a list has an impossible length");
     std::string stl(80, ' ');
     put(stl, std::numeric_limits<std::uint32_t>::max());
     EXPECT_EQ(problem("a.stl", stl), "a.stl: it ends too early: its header promises 4294967295 "
@@ -237,9 +240,7 @@ TEST_F(MeshFile, ManyCornersAreOneFaceAndNoHang) {
             "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
         face += " " + std::to_string(i + 1);
     }
-    const std::string said = problem("a.obj", polygon + face + "\n");
-    EXPECT_TRUE(said == "no error" || said == "a.obj: it has a face of more than 255 corners")
-        << said;
+    EXPECT_EQ(read_mesh(write("a.obj", polygon + face + "\n")).triangles.size(), 298U);
 
     std::string fan = "ply\nformat ascii 1.0\nelement vertex 200000\nproperty float x\n"
                       "property float y\nproperty float z\nelement face 1\n"
@@ -249,7 +250,7 @@ TEST_F(MeshFile, ManyCornersAreOneFaceAndNoHang) {
         fan += std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
         corners += " " + std::to_string(i);
     }
-    Mesh mesh = read_mesh(write("fan.ply", fan + corners + "\n"));
+    Mesh mesh = read_mesh(write("fan.ply", fan + corners + "\n")); // it crosses itself often
     compute_normals(mesh, 1);
     for (const Vec3& n : mesh.normals)
         ASSERT_NEAR(n.length(), 1.0F, 1e-4F);
