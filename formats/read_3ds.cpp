@@ -97,8 +97,11 @@ void finish_part(FileMesh& mesh, FileMesh part) {
             if (index >= part.positions.size())
                 throw Error("a face names vertex " + std::to_string(index) + " of " +
                             std::to_string(part.positions.size()));
-    if (part.uvs.size() != part.positions.size())
+    if (!part.uvs.empty() && part.uvs.size() != part.positions.size()) {
+        part.warnings.push_back(fmt::format("{} texture coordinates for {} vertices are not read",
+                                            part.uvs.size(), part.positions.size()));
         part.uvs.clear();
+    }
     append(mesh, std::move(part));
 }
 

@@ -37,9 +37,8 @@ bool is_binary(std::string_view bytes) {
 
 void check_binary_size(std::string_view bytes, FileMesh& mesh) {
     if (bytes.size() < header_size)
-        throw Error(fmt::format("it is neither a text that begins with \"solid\" nor binary: it "
-                                "has {} bytes; a binary file has at least {}",
-                                bytes.size(), header_size));
+        throw Error(fmt::format("it has {} bytes; a binary file has at least {}", bytes.size(),
+                                header_size));
     const std::size_t room = (bytes.size() - header_size) / record_size;
     const std::size_t count = count_of(bytes);
     if (room < count)

@@ -114,16 +114,14 @@ class Parser {
 
 bool is_stl_text(std::string_view bytes) {
     const std::string_view start = plain_text(bytes.substr(0, looked_at));
-    const auto binary = [](char c) { return c >= 0 && c < ' ' && (c < '\t' || c > '\r'); };
-    if (std::any_of(start.begin(), start.end(), binary))
+    const auto control = [](char c) { return c >= 0 && c < ' ' && (c < '\t' || c > '\r'); };
+    if (start.empty() || std::any_of(start.begin(), start.end(), control))
         return false;
-    TextLines lines(start);
-    while (lines.next()) {
-        std::string_view line = lines.text();
-        if (const std::string_view word = take_word(line); !word.empty())
-            return same_word(word, "solid");
-    }
-    return false;
+    std::string_view rest =
+        start.substr(std::min(start.find_first_not_of("\r\n\t "), start.size()));
+    const std::string_view first = take_word(rest);
+    return same_word(first, "solid") || same_word(first, "facet") ||
+           std::none_of(start.begin(), start.end(), [](char c) { return c < 0; });
 }
 
 void read_stl_text(std::string_view bytes, FileMesh& mesh) { Parser(bytes, mesh).parse(); }

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// Whether the bytes begin as the text kind of STL does: with "solid", and without the control
-/// characters that every binary file has among its numbers.
+/// Whether the bytes are text: without the control characters that every binary file has among its
+/// numbers, and ASCII unless they begin with a keyword.
 bool is_stl_text(std::string_view bytes);
 
 /// Appends the facets of all solids of a text file. Facets of more than three corners are

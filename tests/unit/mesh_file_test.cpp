@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "tests/support/mesh_bytes.h"
+#include "tests/support/mesh_text.h"
 
 #include <gtest/gtest.h>
 
@@ -189,6 +190,38 @@ TEST_F(MeshFile, Errors) {
                                      ".stl, .gltf, .glb or .3ds");
     EXPECT_EQ(without_folder([&] { read_mesh((folder_ / "none.obj").string()); }),
               "none.obj: no such file");
+}
+
+// A 3DS file of a mesh with the given number of vertices and of texture coordinates, as its chunks
+// count them, of which there are four and three.
+std::string three_ds_counting(std::uint16_t vertices, std::uint16_t uvs) {
+    std::string points;
+    put(points, vertices);
+    for (const auto& p : corner_points)
+        for (const float x : p)
+            put(points, x);
+    std::string map;
+    put(map, uvs);
+    map.append(3 * 8, '\0');
+    std::string face;
+    put(face, std::uint16_t{1});
+    for (const int i : {0, 1, 2, 0})
+        put(face, static_cast<std::uint16_t>(i));
+    const std::string mesh = chunk(0x4100, chunk(0x4110, points) + chunk(0x4120, face) +
+                                               (uvs > 0 ? chunk(0x4140, map) : ""));
+    return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("a\0", 2) + mesh)));
+}
+
+TEST_F(MeshFile, CountsOf3dsChunks) {
+    EXPECT_EQ(problem("a.3ds", three_ds_counting(4, 0)), "no error");
+    EXPECT_EQ(problem("a.3ds", three_ds_counting(5, 0)),
+              "a.3ds: a chunk counts 5 vertices, there is room for 4");
+    EXPECT_EQ(problem("a.3ds", three_ds_counting(3, 0)),
+              "a.3ds: a chunk counts 3 vertices, there is room for 4");
+    EXPECT_EQ(problem("a.3ds", three_ds_counting(4, 9)),
+              "a.3ds: a chunk counts 9 texture coordinates, there is room for 3");
+    EXPECT_EQ(file_facts("a.3ds", three_ds_counting(4, 3)),
+              "1 triangles; 3 texture coordinates for 4 vertices are not read");
 }
 
 TEST_F(MeshFile, HugeCountsAreRefusedAtOnce) {

@@ -62,6 +62,7 @@ TEST(StlFile, TextsAsProgramsWriteThem) {
         {"exponents",
          replaced(replaced(tile(), "vertex 1 ", "vertex +1.0E+00 "), " 0\n", " -0.0e+000\n")},
         {"two solids", half},
+        {"without solid", tile().substr(11)},
         {"one facet of four corners",
          "solid\n" + facet({"0 0 0", "0 0 1", "1 0 1", "1 0 0"}) + "endsolid\n"},
     };
@@ -93,6 +94,8 @@ TEST(StlFile, TextsThatAreRefusedOrTold) {
          "line 2: \"fact\" is not expected here; expected facet, solid or endsolid"},
         {tile().substr(0, tile().rfind("  endloop")), "it ends too early, within a facet"},
         {"solid\nendsolid\n", "it has no triangles"},
+        {"# a comment\n" + tile(),
+         "line 1: \"#\" is not expected here; expected facet, solid or endsolid"},
     };
     for (const auto& [text, problem] : rows)
         EXPECT_EQ(file_problem("a.stl", text), "a.stl: " + problem);
@@ -116,10 +119,8 @@ TEST(StlFile, BinaryCountsAgreeWithTheSize) {
                   "4 triangles; its last 3 bytes are not read")
             << title;
     }
-    EXPECT_EQ(
-        file_problem("a.stl", "binary"),
-        "a.stl: it is neither a text that begins with \"solid\" nor binary: it has 6 bytes; a "
-        "binary file has at least 84");
+    EXPECT_EQ(file_problem("a.stl", std::string(6, '\1')),
+              "a.stl: it has 6 bytes; a binary file has at least 84");
 }
 
 TEST(StlFile, TextsKeepTheDigitsOfSurveys) {
