@@ -70,11 +70,11 @@ class Parser {
         }
     }
 
-    std::span<const double> numbers(const char* what, const char* expected, std::size_t least,
-                                    std::size_t most) {
+    std::span<const double> numbers(double (*read)(std::string_view), const char* what,
+                                    const char* expected, std::size_t least, std::size_t most) {
         std::size_t count = 0;
         for (std::string_view next = word(); !next.empty(); next = word(), ++count) {
-            const double value = number_of(next);
+            const double value = read(next);
             if (count < most_numbers)
                 numbers_[count] = value;
         }
@@ -85,25 +85,21 @@ class Parser {
 
     void vertex() {
         constexpr const char* expected = "x, y, z, perhaps with a weight or a colour";
-        const auto n = numbers("vertex", expected, 3, most_numbers);
+        const auto n = numbers(finite_number_of, "vertex", expected, 3, most_numbers);
         if (n.size() == 5)
             throw Error(fmt::format("a vertex has 5 numbers; expected {}", expected));
-        for (std::size_t k = 0; k < 3; ++k)
-            if (!std::isfinite(n[k]))
-                throw Error(
-                    fmt::format("coordinate {} of a vertex is not a finite number", "xyz"[k]));
         if (n.size() > 5)
             out_.unread["vertex colours"].add(line_);
         out_.positions.emplace_back(n[0], n[1], n[2]);
     }
 
     void texture_coordinate() {
-        const auto n = numbers("texture coordinate", "u, v", 1, 3);
+        const auto n = numbers(number_of, "texture coordinate", "u, v", 1, 3);
         out_.uvs.emplace_back(Vec2(n[0], n.size() > 1 ? n[1] : 0));
     }
 
     void normal() {
-        const auto n = numbers("normal", "x, y, z", 3, 3);
+        const auto n = numbers(number_of, "normal", "x, y, z", 3, 3);
         out_.normals.emplace_back(Imath::V3d(n[0], n[1], n[2]));
     }
 

@@ -52,7 +52,8 @@ ScriptOptions options_of(const std::string& script) {
     return options;
 }
 
-std::string message_of(const std::string& name) {
+// The error of a scene, or its warnings.
+std::string text_of(const std::string& name) {
     try {
         static const Catalog catalog = standard_catalog();
         ScriptOptions options = options_of(read_file(name));
@@ -68,12 +69,16 @@ std::string message_of(const std::string& name) {
             text += "warning: " + warning.text() + "\n";
         return text.empty() ? "no error\n" : text;
     } catch (const Error& error) {
-        std::string text = std::string(error.what()) + "\n";
-        const std::string here = fs::current_path().string() + "/";
-        for (std::size_t at = 0; (at = text.find(here)) != std::string::npos;)
-            text.erase(at, here.size());
-        return text;
+        return std::string(error.what()) + "\n";
     }
+}
+
+std::string message_of(const std::string& name) {
+    std::string text = text_of(name);
+    const std::string here = fs::current_path().string() + "/";
+    for (std::size_t at = 0; (at = text.find(here)) != std::string::npos;)
+        text.erase(at, here.size());
+    return text;
 }
 
 class ErrorMessage : public testing::TestWithParam<std::string> {};

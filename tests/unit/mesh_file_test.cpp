@@ -177,7 +177,7 @@ TEST_F(MeshFile, Errors) {
     EXPECT_EQ(problem("a.ply", "ply\nformat ascii 1.0\n"), "a.ply: its header has no end");
     EXPECT_EQ(problem("a.ply", ""), "a.ply: it is not a PLY file");
     EXPECT_EQ(problem("a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-              "a.obj: line 1: coordinate x of a vertex is not a finite number");
+              "a.obj: line 1: \"nan\" is not a number");
     EXPECT_EQ(problem("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"),
               "a.obj: line 4: a face names vertex 9 of 3");
     EXPECT_EQ(problem("a.obj", "v 0 0 0\n"), "a.obj: it has no triangles");
