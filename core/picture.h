@@ -20,10 +20,11 @@ struct Picture {
 /// Default number of pixels along the longer side of a rasterised drawing.
 inline constexpr int drawing_pixels = 512;
 
-/// Reads a PNG, JPEG or EXR (with or without alpha), or an SVG drawing, which is also rasterised
-/// with `pixels` pixels along its longer side. The box is centred on the origin, its longer side
-/// 1 m. Throws Error (input) naming the file when it is missing, corrupt or too large, has channels
-/// that are not a colour, or is a drawing that `read_drawing` rejects.
-Picture read_picture(const std::string& path, int pixels = drawing_pixels);
+/// Reads an image as `read_image` does (with or without alpha), or an SVG drawing, which is also
+/// rasterised with `pixels` pixels along its longer side. The box is centred on the origin, its
+/// longer side 1 m. Throws Error (input) naming the file when it is missing, corrupt or too large,
+/// or is a drawing that `read_drawing` rejects.
+Picture read_picture(const std::string& path, int pixels = drawing_pixels,
+                     const ImageOptions& options = {});
 
 } // namespace scree

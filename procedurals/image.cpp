@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "procedurals/image.h"
 
+#include "core/image_params.h"
+#include "core/located.h"
 #include "core/picture_filter.h"
 #include "procedurals/reflectance.h"
 
@@ -46,21 +48,15 @@ class ImageTexture final : public Procedural {
 };
 
 std::shared_ptr<const Procedural> make_image(const Params& params) {
-    const auto read = [&] {
-        try {
-            return read_picture(params.text("path"),
-                                static_cast<int>(params.integer("resolution")));
-        } catch (const Error& error) {
-            if (error.fault() != Fault::input)
-                throw;
-            throw params.error("path", error.diagnostics().front().message);
-        }
-    };
+    const Picture picture = located(params, "path", [&] {
+        return read_picture(params.text("path"), static_cast<int>(params.integer("resolution")),
+                            image_options(params, "path"));
+    });
     std::optional<Color> ground;
     if (params.has("ground"))
         ground = reflectance(params, "ground");
     return std::make_shared<ImageTexture>(
-        read().image, params.flag("repeats") ? Beyond::repeated : Beyond::clamped, ground);
+        picture.image, params.flag("repeats") ? Beyond::repeated : Beyond::clamped, ground);
 }
 
 } // namespace
@@ -77,7 +73,9 @@ Plugin<MakeProcedural> image_plugin() {
         {
             {.name = "path",
              .type = ParamType::path,
-             .doc = "A PNG or JPEG (sRGB, converted to linear), EXR (linear) or SVG."},
+             .doc = "A PNG or JPEG (sRGB, or what its profile says, converted to linear), EXR or "
+                    "HDR (linear), or SVG."},
+            layer_spec(),
             {.name = "repeats",
              .type = ParamType::boolean,
              .doc = "Repeats beyond the UV square; otherwise the border pixels extend outwards.",

@@ -125,7 +125,8 @@ std::shared_ptr<const Picture> background_of(const ElementsSettings& settings) {
     if (settings.background.empty())
         return nullptr;
     return located(settings.background_place, [&] {
-        Picture picture = read_picture(settings.background);
+        Picture picture =
+            read_picture(settings.background, drawing_pixels, settings.background_options);
         picture.box = bounds(*settings.domain);
         return std::make_shared<const Picture>(std::move(picture));
     });

@@ -50,6 +50,7 @@ struct ElementsSettings {
     std::shared_ptr<const Field> spacing;   // null: 1
     int relax = 0;
     std::string background; // path of a picture; empty: none
+    ImageOptions background_options;
     std::uint64_t seed = 0;
 
     ParamPlace domain_place;

@@ -138,7 +138,7 @@ std::vector<ParamSpec> elements_specs() {
          .max = 10000.0},
         {.name = "background",
          .type = ParamType::path,
-         .doc = "A PNG, JPEG, EXR or SVG under a baked picture of the elements; it fills the "
+         .doc = "A PNG, JPEG, EXR, HDR or SVG under a baked picture of the elements; it fills the "
                 "domain's bounding box.",
          .optional = true},
         {.name = "seed",

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exact error messages of invalid scenes: cases/NAME.lua (or .json) must fail, or warn, with
 // the text of cases/NAME.txt. A script's first lines may contain `--! set name=value`, `--! seconds
-// 0.3` or
-// `--! memory 32` (MiB). SCREE_UPDATE_ERRORS=1 updates the .txt files.
+// 0.3` or `--! memory 32` (MiB). SCREE_UPDATE_ERRORS=1 updates the .txt files.
 #include "core/file.h"
 #include "scenes/reader/scene.h"
 #include "scenes/reader/script.h"
@@ -52,6 +51,13 @@ ScriptOptions options_of(const std::string& script) {
     return options;
 }
 
+std::string without_folder(std::string text) {
+    const std::string here = fs::current_path().string() + "/";
+    for (std::size_t at = 0; (at = text.find(here)) != std::string::npos;)
+        text.erase(at, here.size());
+    return text;
+}
+
 std::string message_of(const std::string& name) {
     try {
         static const Catalog catalog = standard_catalog();
@@ -66,13 +72,9 @@ std::string message_of(const std::string& name) {
         std::string text;
         for (const Diagnostic& warning : *draft.warnings)
             text += "warning: " + warning.text() + "\n";
-        return text.empty() ? "no error\n" : text;
+        return text.empty() ? "no error\n" : without_folder(std::move(text));
     } catch (const Error& error) {
-        std::string text = std::string(error.what()) + "\n";
-        const std::string here = fs::current_path().string() + "/";
-        for (std::size_t at = 0; (at = text.find(here)) != std::string::npos;)
-            text.erase(at, here.size());
-        return text;
+        return without_folder(std::string(error.what()) + "\n");
     }
 }
 

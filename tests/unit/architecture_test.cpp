@@ -216,6 +216,7 @@ const std::vector<Door>& doors() {
          {"geometry/mesh/medial_balls.cpp", "geometry/plane/fill.cpp", "geometry/plane/offset.cpp",
           "geometry/plane/triangulate.cpp", "formats/read_stl.cpp", "tests/exact/"}},
         {"OpenImageIO", "^OpenImageIO/", {"core/image"}},
+        {"zlib", "^zlib", {"core/image_tags.cpp"}},
         {"OpenEXR", "^(OpenEXR/)?Imf", {"core/image"}},
         {"OpenColorIO", "^OpenColorIO/", {"render/film/color"}},
         {"pugixml", "^pugixml", {"geometry/plane/svg/svg_document.cpp", "core/drawing.cpp"}},

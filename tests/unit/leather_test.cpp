@@ -25,7 +25,7 @@ TEST(Leather, TheFileHoldsTheHeightsOfTheSwatchThatIsRendered) {
         (std::filesystem::temp_directory_path() / "scree-leather-swatch.exr").string();
     write_height(path, *made.height);
     const HeightField map = read_height(path);
-    const Image raw = read_image(path);
+    const Image raw = read_data_image(path);
     std::filesystem::remove(path);
     const Mesh& mesh = *made.prototypes[0].mesh();
     ASSERT_EQ(mesh.positions.size(), 129U * 129);
