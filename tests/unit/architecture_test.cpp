@@ -219,7 +219,7 @@ const std::vector<Door>& doors() {
         {"zlib", "^zlib", {"core/image_tags.cpp"}},
         {"OpenEXR", "^(OpenEXR/)?Imf", {"core/image"}},
         {"OpenColorIO", "^OpenColorIO/", {"render/film/color"}},
-        {"pugixml", "^pugixml", {"geometry/plane/svg/svg_document.cpp", "core/drawing.cpp"}},
+        {"pugixml", "^pugixml", {"geometry/plane/svg/svg_tree.cpp", "core/drawing.cpp"}},
         {"librsvg", "^librsvg/", {"core/drawing_raster.cpp"}},
         {"OpenVDB", "^openvdb/", {"formats/write_vdb.cpp", "tests/unit/texture_test.cpp"}},
         {"lib3mf",
