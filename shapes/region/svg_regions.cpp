@@ -27,6 +27,7 @@ double longest_side(const Box2& box) {
 std::vector<FilledRings> flattened(const std::vector<SvgShape>& shapes, double tolerance,
                                    std::size_t& points) {
     std::vector<FilledRings> out;
+    out.reserve(shapes.size());
     for (const SvgShape& shape : shapes)
         out.push_back(
             {shape.path.flatten(tolerance, points, max_svg_points), shape.rule, shape.within});
@@ -40,6 +41,7 @@ Region filled(const SvgDrawing& drawing, double tolerance) {
     std::size_t points = 0;
     std::vector<FilledRings> shapes = flattened(drawing.shapes, tolerance, points);
     Clips clips;
+    clips.reserve(drawing.clips.size());
     for (const std::vector<SvgShape>& clip : drawing.clips)
         clips.push_back(flattened(clip, tolerance, points));
     return fill(std::move(shapes), clips);
@@ -54,7 +56,7 @@ Region drawn(const SvgDrawing& drawing, double tolerance) {
     const double longest = longest_side(control);
     if (!(longest > 0))
         throw Error("draws nothing that is filled");
-    const Region region = filled(drawing, tolerance * longest);
+    Region region = filled(drawing, tolerance * longest);
     // The bounds of the control points may be much larger than those of what is seen.
     const double drawn_longest = longest_side(bounds(region));
     if (drawn_longest > 0.999 * longest)
