@@ -38,7 +38,7 @@ std::string type_text(const ParamSpec& spec) {
     case ParamType::function:
         return "function(x, z)";
     case ParamType::object:
-        return kinds_in_words(spec.families, " or ");
+        return objects_in_words(spec);
     case ParamType::field:
         return "field.* or a number";
     case ParamType::record:

@@ -79,6 +79,13 @@ std::string kinds_in_words(const std::vector<std::string>& families, std::string
     return out;
 }
 
+std::string objects_in_words(const ParamSpec& spec) {
+    std::string out = kinds_in_words(spec.families, " or ");
+    for (const std::string& word : spec.choices)
+        out += " or \"" + word + '"';
+    return out;
+}
+
 void Params::set(const std::string& name, Value value, Location where) {
     entries_[name] = Entry{std::move(value), std::move(where)};
 }

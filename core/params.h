@@ -60,7 +60,8 @@ struct ParamSpec {
     std::optional<double> max{};
     bool above_min = false; // min itself is not allowed
     bool uniform = false;   // a vector3 may be given as one number for all three
-    std::vector<std::string> choices{};
+    std::vector<std::string>
+        choices{}; // of a `choice`; of an `object` the words that may replace it
     std::vector<ParamSpec> fields{};
     std::optional<std::size_t> min_items{}; // of a list
 };
@@ -82,6 +83,9 @@ bool is_object_list(const ParamSpec& spec);
 
 /// "mesh.* or region.*", where `between` is " or ". The family `object` is written without ".*".
 std::string kinds_in_words(const std::vector<std::string>& families, std::string_view between);
+
+/// What an `object` may be: "material.* or "file"".
+std::string objects_in_words(const ParamSpec& spec);
 
 /// Where a parameter was written and what it is called: what an error says that is found after the
 /// parameters were read.

@@ -5,6 +5,7 @@
 #include "core/drawing_raster.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/memory_file.h"
 
 #include <algorithm>
 #include <fstream>
@@ -105,6 +106,20 @@ Picture read_picture(const std::string& path, int pixels) {
     else
         read_pixels(path, picture);
     return picture;
+}
+
+Picture read_picture_bytes(const std::string& name, std::string_view bytes) {
+    const MemoryFile file(name, bytes); // readers of images read files
+    try {
+        Picture picture = read_picture(file.path());
+        picture.name = name;
+        return picture;
+    } catch (const Error& error) {
+        std::string message = error.diagnostics().front().message;
+        if (message.starts_with(file.path()))
+            message.replace(0, file.path().size(), name);
+        throw error.fault() == Fault::resource ? Error::resource(message) : Error(message);
+    }
 }
 
 } // namespace scree

@@ -5,6 +5,7 @@
 #include "core/math.h"
 
 #include <string>
+#include <string_view>
 
 namespace scree {
 
@@ -25,5 +26,9 @@ inline constexpr int drawing_pixels = 512;
 /// 1 m. Throws Error (input) naming the file when it is missing, corrupt or too large, has channels
 /// that are not a colour, or is a drawing that `read_drawing` rejects.
 Picture read_picture(const std::string& path, int pixels = drawing_pixels);
+
+/// The same of the bytes of such a file, named `name` in messages. Throws also Error (resource)
+/// when there is no memory for them.
+Picture read_picture_bytes(const std::string& name, std::string_view bytes);
 
 } // namespace scree

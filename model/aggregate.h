@@ -21,9 +21,9 @@ using Shape = std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const St
 /// One component, shared by its instances.
 struct Prototype {
     std::string name{};
-    Shape shape{};                              // in object space [m]
-    std::shared_ptr<const Region> region{};     // exclusive region, if the generator has one
-    std::shared_ptr<const Material> material{}; // null: grey matte
+    Shape shape{};                            // in object space [m]
+    std::shared_ptr<const Region> region{};   // exclusive region, if the generator has one
+    Materials materials{};                    // one, or one for each part of the mesh
     std::shared_ptr<const Picture> picture{}; // set when it is a flat picture: its view from above
 
     /// Null when the shape is of another kind, or there is none.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/located.h"
 #include "core/random.h"
+#include "model/file_material.h"
 #include "model/table.h"
 
 namespace scree {
@@ -10,7 +11,7 @@ namespace {
 std::vector<ParamSpec> object_params() {
     return {
         {.name = "shape", .type = ParamType::object, .families = {"mesh"}, .doc = "Its mesh."},
-        material_spec("Its material"),
+        shape_material_spec("Its material"),
         {.name = "position",
          .type = ParamType::vector3,
          .doc = "Position of the mesh's origin.",
@@ -52,7 +53,7 @@ SceneItem object_item(const Params& params) {
     Aggregate object;
     object.generator = "object";
     const auto mesh = params.object<Mesh>("shape");
-    object.prototypes.push_back({mesh->name, mesh, nullptr, params.object<Material>("material")});
+    object.prototypes.push_back({mesh->name, mesh, nullptr, materials_of(params, mesh.get())});
     Instance instance;
     instance.world_from_object = object_matrix(params);
     object.instances.push_back(instance);

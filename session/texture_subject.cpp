@@ -22,7 +22,7 @@ float roughness_of(const Material& material) {
 }
 
 std::shared_ptr<const Procedural> procedural_of(const Prototype& prototype) {
-    const Paint* paint = prototype.material ? paint_of(*prototype.material) : nullptr;
+    const Paint* paint = paint_of(prototype.materials);
     return paint == nullptr || !paint->palette.empty() ? nullptr : paint->texture.procedural;
 }
 
@@ -100,7 +100,7 @@ TextureSubject texture_subject(const std::string& scene_path, const Scene& scene
     subject.kind = kind;
     subject.source.mesh = std::get<std::shared_ptr<const Mesh>>(prototype.shape);
     subject.source.procedural = procedural_of(prototype);
-    subject.source.roughness = roughness_of(*prototype.material);
+    subject.source.roughness = roughness_of(*prototype.materials.front());
     std::vector<const Instance*> places;
     for (const Instance& instance : aggregate.instances)
         if (instance.prototype == found.front())

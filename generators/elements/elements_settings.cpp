@@ -33,7 +33,7 @@ ElementComponent component_from(const Params& params, const Params& component) {
             .picture =
                 component.has("picture") ? std::optional(picture_shape(component)) : std::nullopt,
             .given_region = component.object<Region>("region"),
-            .material = component.object<Material>("material"),
+            .materials = materials_of(component, component.object<Mesh>("shape").get()),
             .weight = component.number("weight"),
             .length = optional_number(component, "length"),
             .width = optional_number(component, "width"),

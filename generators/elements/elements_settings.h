@@ -4,7 +4,7 @@
 
 #include "geometry/plane/field.h"
 #include "geometry/plane/picture_shape.h"
-#include "model/material.h"
+#include "model/file_material.h"
 
 #include <optional>
 
@@ -16,7 +16,7 @@ struct ElementComponent {
     std::shared_ptr<const Region> flat_shape;   // the shape, if it is a region
     std::optional<PictureShape> picture;        // the shape, if it is a picture
     std::shared_ptr<const Region> given_region; // replaces the shape's own outline; may be null
-    std::shared_ptr<const Material> material;
+    Materials materials;
     double weight = 1;
     std::optional<double> length; // semi-axes of the exclusive ellipse, without the margin [m]
     std::optional<double> width;

@@ -30,7 +30,7 @@ LayoutComponent component_from(const Params& params, std::size_t index) {
     return {.mesh = params.object<Mesh>("shape"),
             .flat_shape = params.object<Region>("shape"),
             .given_region = params.object<Region>("region"),
-            .material = params.object<Material>("material"),
+            .materials = materials_of(params, params.object<Mesh>("shape").get()),
             .weight = params.number("weight"),
             .margin = params.number("margin"),
             .class_number = params.has("class") ? static_cast<long>(params.integer("class"))

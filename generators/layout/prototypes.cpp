@@ -49,7 +49,7 @@ Components components_from(const std::vector<LayoutComponent>& components, Margi
                                     *component.flat_shape, fmt::format("component_{}", i)));
         prototype.name = prototype.mesh()->name;
         prototype.region = margins == Margins::by_place ? bare : with_margin(component, bare);
-        prototype.material = component.material;
+        prototype.materials = component.materials;
         result.prototypes.push_back(std::move(prototype));
         result.bare_areas.push_back(area(*bare));
     }

@@ -122,7 +122,7 @@ Aggregate bake_leather(const Params& params, const Context& context) {
     Aggregate aggregate;
     aggregate.generator = "leather";
     aggregate.seed = request.seed;
-    aggregate.prototypes.push_back({mesh->name, mesh, nullptr, cover.material});
+    aggregate.prototypes.push_back({mesh->name, mesh, nullptr, {cover.material}});
     Instance instance;
     instance.world_from_object = world_from_shape(cover);
     instance.random = Random(request.seed, Purpose::instance_attribute).uniform_float();

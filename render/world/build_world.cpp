@@ -83,6 +83,33 @@ void World::State::collect(const std::shared_ptr<const Strands>& /*strands*/, co
                            prototype.name + " is of strands, which cannot be rendered yet", ""});
 }
 
+namespace {
+
+bool any_uses_uv(const Materials& materials) {
+    return std::any_of(materials.begin(), materials.end(),
+                       [](const auto& material) { return material && uses_uv(*material); });
+}
+
+/// Light that walks inside of a shape must come out where it is of the same kind.
+void check_parts(const Prototype& prototype, const Aggregate& of) {
+    const Materials& materials = prototype.materials;
+    if (materials.size() < 2)
+        return;
+    const bool walks = std::any_of(materials.begin(), materials.end(), [](const auto& material) {
+        return material && std::holds_alternative<Translucent>(*material);
+    });
+    if (walks)
+        throw Error(Diagnostic{of.where, of.generator,
+                               prototype.name + " is translucent in part; a translucent material "
+                                                "must be that of the whole mesh",
+                               ""});
+    const Mesh* mesh = prototype.mesh();
+    assert(mesh == nullptr || mesh->parts.empty() ||
+           *std::max_element(mesh->parts.begin(), mesh->parts.end()) < materials.size());
+}
+
+} // namespace
+
 void World::State::build_mesh_trees(const Context& context) {
     parallel_for(meshes.size(), 1, [&](std::size_t i) {
         if (context.cancel == nullptr || !context.cancel->requested())
@@ -93,17 +120,22 @@ void World::State::build_mesh_trees(const Context& context) {
 }
 
 void World::State::add_prototypes(std::span<const Aggregate> aggregates, const Context& context) {
-    std::map<const Material*, std::uint32_t> numbers{{nullptr, 0}};
+    std::map<Materials, std::uint32_t> numbers{{{}, 0}, {{nullptr}, 0}};
     materials.push_back(std::make_shared<const Material>(Matte{}));
     for (const Aggregate& aggregate : aggregates)
         for (const Prototype& prototype : aggregate.prototypes) {
             std::visit([&](const auto& shape) { collect(shape, aggregate, prototype); },
                        prototype.shape);
+            check_parts(prototype, aggregate);
             const auto [number, is_new] = numbers.try_emplace(
-                prototype.material.get(), static_cast<std::uint32_t>(materials.size()));
+                prototype.materials, static_cast<std::uint32_t>(materials.size()));
             if (is_new)
-                materials.push_back(prototype.material);
-            prototypes.push_back({.mesh = prototype.mesh(), .material = number->second});
+                for (const std::shared_ptr<const Material>& material : prototype.materials)
+                    materials.push_back(material ? material : materials.front());
+            prototypes.push_back({.mesh = prototype.mesh(),
+                                  .material = number->second,
+                                  .by_part = prototype.materials.size() > 1,
+                                  .uses_uv = any_uses_uv(prototype.materials)});
         }
     build_mesh_trees(context);
     for (PrototypeRecord& prototype : prototypes)
@@ -111,7 +143,6 @@ void World::State::add_prototypes(std::span<const Aggregate> aggregates, const C
             prototype.mesh_tree = &found->second;
             prototype.triangles = found->second.triangles.data();
             prototype.has_normals = !prototype.mesh->normals.empty();
-            prototype.uses_uv = uses_uv(*materials[prototype.material]);
         }
 }
 

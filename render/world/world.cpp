@@ -116,7 +116,7 @@ void World::State::fill_surface(const RawHit& found, Hit& hit) const {
     hit.record = &record;
     hit.random = record.random;
     hit.instance = found.instance;
-    hit.material = prototype.material;
+    hit.material = prototype.material + (prototype.by_part ? triangle.part : 0);
     hit.light = Hit::none;
     hit.uv = {0.0F, 0.0F};
     hit.uv_per_metre = 0;

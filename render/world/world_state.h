@@ -24,9 +24,10 @@ struct MeshTree {
 struct PrototypeRecord {
     const Mesh* mesh = nullptr;
     const TriangleRecord* triangles = nullptr;
-    std::uint32_t material = 0;
+    std::uint32_t material = 0; // the first of its materials
+    bool by_part = false;       // the others follow, by the parts of the mesh
     bool has_normals = false;
-    bool uses_uv = false;                // its material does, so hits must carry it
+    bool uses_uv = false;                // a material does, so hits must carry it
     const MeshTree* mesh_tree = nullptr; // null where there is nothing to see
 };
 

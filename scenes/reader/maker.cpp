@@ -155,6 +155,10 @@ Value Maker::made(const Given& given, const Registry<MakeObject>& family) {
 }
 
 Value Maker::object(const Given& given, const ParamSpec& spec) {
+    if (const auto* word = std::get_if<std::string>(&given.value.data);
+        word != nullptr &&
+        std::find(spec.choices.begin(), spec.choices.end(), *word) != spec.choices.end())
+        return *word;
     const std::string_view name = family_of(given.value);
     const Registry<MakeObject>* family = catalog_.find(name);
     if (family == nullptr ||

@@ -78,7 +78,7 @@ TEST(Examples, TheGeneratorPlacesItsCopies) {
 
 TEST(Examples, TheProceduralIsFilteredOverThePixel) {
     const Scene scene = baked();
-    const Material& material = *scene.aggregates[1].prototypes[0].material;
+    const Material& material = *scene.aggregates[1].prototypes[0].materials.front();
     const Procedural& layers = *paint_of(material)->texture.procedural;
     EXPECT_TRUE(layers.solid());
     ShadingPoint point;

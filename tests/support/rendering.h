@@ -87,7 +87,7 @@ struct Stage {
         aggregate.generator = "object";
         Prototype prototype;
         prototype.shape = std::make_shared<Mesh>(mesh);
-        prototype.material = std::make_shared<const Material>(material);
+        prototype.materials = {std::make_shared<const Material>(material)};
         aggregate.prototypes.push_back(prototype);
         Instance instance;
         instance.world_from_object = matrix;

@@ -62,7 +62,7 @@ TEST(ImageTexture, IsUprightAndFiltered) {
                                }),
                     {},
                     {}};
-    const auto texture = picture_texture(picture);
+    const auto texture = picture_texture(picture.image);
     EXPECT_EQ(color_at(*texture, {0.5F, 0.9F}).y, 1.0F); // the top
     EXPECT_NEAR(color_at(*texture, {0.5F, 0.5F}, 1).x, 0.5F, 0.05F);
     EXPECT_NEAR(color_at(*texture, {0.5F, 0.5F}, 1).y, 0.5F, 0.05F);

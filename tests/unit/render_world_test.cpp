@@ -43,8 +43,10 @@ TEST(World, AgreesWithBruteForce) {
     Random random(21, Purpose::test);
     const Mesh mesh = test::make_sphere(0.5F, 8);
     Aggregate aggregate;
-    aggregate.prototypes.push_back({"sphere", std::make_shared<Mesh>(mesh), nullptr,
-                                    std::make_shared<const Material>(Metal{})});
+    aggregate.prototypes.push_back({"sphere",
+                                    std::make_shared<Mesh>(mesh),
+                                    nullptr,
+                                    {std::make_shared<const Material>(Metal{})}});
     for (int i = 0; i < 20; ++i)
         aggregate.instances.push_back({0, skewed(random), 0.0F, 0.0F, 1.0F});
     const World world(std::span(&aggregate, 1), {});
