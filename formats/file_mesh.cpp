@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/file_mesh.h"
 
+#include "geometry/mesh/append_mesh.h"
+#include "geometry/mesh/mesh_material.h"
 #include "geometry/plane/triangulate_face.h"
 
 #include <algorithm>
@@ -19,21 +21,22 @@ To converted(const From& mesh) {
     out.normals = mesh.normals;
     out.uvs = mesh.uvs;
     out.triangles = mesh.triangles;
+    out.parts = mesh.parts;
+    out.materials = mesh.materials;
     return out;
 }
 
-// Appends optional values, which both must have or none has.
+// Drops optional values that one of both lacks.
 template <class T>
-void append_optional(FileMesh& mesh, std::vector<T>& values, std::vector<T>& more, bool first,
-                     const std::string& what) {
-    if (!first && values.empty() != more.empty()) {
-        const std::string warning = "its " + what + " are not read, since parts of it lack them";
-        if (std::ranges::find(mesh.warnings, warning) == mesh.warnings.end())
-            mesh.warnings.push_back(warning);
-        values.clear();
-        more.clear();
-    }
-    values.insert(values.end(), more.begin(), more.end());
+void drop_unless_both(FileMesh& mesh, std::vector<T>& values, std::vector<T>& more,
+                      const std::string& what) {
+    if (mesh.positions.empty() || values.empty() == more.empty())
+        return;
+    const std::string warning = "its " + what + " are not read, since parts of it lack them";
+    if (std::ranges::find(mesh.warnings, warning) == mesh.warnings.end())
+        mesh.warnings.push_back(warning);
+    values.clear();
+    more.clear();
 }
 
 } // namespace
@@ -41,12 +44,9 @@ void append_optional(FileMesh& mesh, std::vector<T>& values, std::vector<T>& mor
 void append(FileMesh& mesh, FileMesh part) {
     if (part.positions.empty())
         return;
-    const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-    append_optional(mesh, mesh.normals, part.normals, base == 0, "normals");
-    append_optional(mesh, mesh.uvs, part.uvs, base == 0, "texture coordinates");
-    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
-    for (const Mesh::Triangle& t : part.triangles)
-        mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+    drop_unless_both(mesh, mesh.normals, part.normals, "normals");
+    drop_unless_both(mesh, mesh.uvs, part.uvs, "texture coordinates");
+    append_mesh(mesh, part);
     mesh.warnings.insert(mesh.warnings.end(), part.warnings.begin(), part.warnings.end());
 }
 
@@ -65,7 +65,12 @@ bool append_face(FileMesh& mesh, std::span<const std::uint32_t> corners) {
     return face.crosses_itself;
 }
 
-Mesh to_mesh(const FileMesh& mesh) { return converted<Mesh>(mesh); }
+Mesh to_mesh(const FileMesh& mesh) {
+    Mesh out = converted<Mesh>(mesh);
+    if (out.materials == nullptr)
+        out.materials = std::make_shared<const MeshMaterials>();
+    return out;
+}
 
 FileMesh to_file_mesh(const Mesh& mesh) { return converted<FileMesh>(mesh); }
 

@@ -3,6 +3,7 @@
 
 #include "geometry/mesh/mesh.h"
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ struct FileMesh {
     std::vector<Vec3> normals; // none, or one for every position
     std::vector<Vec2f> uvs;    // none, or one for every position
     std::vector<Mesh::Triangle> triangles;
+    std::vector<std::uint16_t> parts;               // of each triangle; see Mesh
+    std::shared_ptr<const MeshMaterials> materials; // of the parts; null: the file has none
     std::vector<std::string> warnings; // decoration that the file holds and that is not read
 };
 

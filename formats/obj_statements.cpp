@@ -3,6 +3,8 @@
 // coordinates. Every statement is read, or named with its line.
 #include "formats/obj_statements.h"
 
+#include "geometry/mesh/mesh.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,8 +51,24 @@ class Parser {
             normal();
         else if (keyword == "f" || keyword == "fo") // an older name
             face();
+        else if (keyword == "usemtl")
+            material_ = trimmed(rest_); // one name, which may hold blanks
+        else if (keyword == "mtllib")
+            out_.libraries.emplace_back(trimmed(rest_));
         else
             other_statement(std::string(keyword));
+    }
+
+    std::uint16_t material_number() {
+        const auto next = static_cast<std::uint16_t>(out_.materials.size());
+        const auto known = material_numbers_.find(material_);
+        if (known != material_numbers_.end())
+            return known->second;
+        if (out_.materials.size() == Mesh::most_parts)
+            throw Error(fmt::format("it uses more than {} materials", Mesh::most_parts));
+        out_.materials.emplace_back(material_);
+        material_numbers_.emplace(material_, next);
+        return next;
     }
 
     // The next word of the statement, which goes on in the next line after a backslash.
@@ -114,7 +132,7 @@ class Parser {
         const std::size_t count = out_.corners.size() - first;
         if (count < 3)
             throw Error(fmt::format("a face has {} corners; expected at least 3", count));
-        out_.faces.push_back({first, count, line_});
+        out_.faces.push_back({first, count, line_, material_number()});
     }
 
     // v, v/vt, v//vn or v/vt/vn; the slots after the first may be empty.
@@ -159,10 +177,10 @@ class Parser {
             {"bzp", "surfaces"}, {"bsp", "surfaces"}, {"cdp", "surfaces"}};
         // Names, groups, materials, levels of detail, and what belongs to curves and surfaces.
         static const std::vector<std::string> without_shape{
-            "g",      "s",     "o",        "mg",         "usemtl",   "mtllib", "usemap", "maplib",
-            "bevel",  "lod",   "c_interp", "d_interp",   "vp",       "deg",    "bmat",   "step",
-            "cstype", "parm",  "trim",     "hole",       "scrv",     "sp",     "end",    "con",
-            "ctech",  "stech", "res",      "shadow_obj", "trace_obj"};
+            "g",      "s",        "o",        "mg",   "usemap",     "maplib",   "bevel",
+            "lod",    "c_interp", "d_interp", "vp",   "deg",        "bmat",     "step",
+            "cstype", "parm",     "trim",     "hole", "scrv",       "sp",       "end",
+            "con",    "ctech",    "stech",    "res",  "shadow_obj", "trace_obj"};
         const auto kind = kinds.find(keyword);
         const std::string what = kind == kinds.end() ? "" : kind->second;
         if (what == "surfaces")
@@ -181,6 +199,8 @@ class Parser {
     std::size_t line_ = 0; // where the statement begins
     std::string_view rest_;
     std::array<double, most_numbers> numbers_{};
+    std::string_view material_; // of the faces that follow
+    std::map<std::string_view, std::uint16_t> material_numbers_;
     Obj out_;
 };
 

@@ -24,6 +24,7 @@ struct Obj {
         std::size_t first = 0; // of its corners
         std::size_t count = 0; // at least 3
         std::size_t line = 0;
+        std::uint16_t material = 0; // a number in `materials`
     };
 
     std::vector<Imath::V3d> positions; // finite
@@ -31,6 +32,8 @@ struct Obj {
     std::vector<Vec3> normals;
     std::vector<ObjCorner> corners; // of all faces
     std::vector<Face> faces;
+    std::vector<std::string> libraries;  // what stands behind each mtllib
+    std::vector<std::string> materials;  // the names that faces use; "" for none
     std::map<std::string, Tally> unread; // "lines", with the lines where they stand
 
     std::span<const ObjCorner> corners_of(const Face& face) const {

@@ -13,8 +13,9 @@ namespace {
 
 FileMesh read_by_ending(const std::string& path, std::string_view bytes) {
     const std::string ending = extension(path);
+    const std::string folder = std::filesystem::path(path).parent_path().string();
     if (ending == "obj")
-        return read_obj(bytes);
+        return read_obj(bytes, folder);
     if (ending == "ply")
         return read_ply(bytes);
     if (ending == "stl")
@@ -22,7 +23,7 @@ FileMesh read_by_ending(const std::string& path, std::string_view bytes) {
     if (ending == "3ds")
         return read_3ds(bytes);
     if (ending == "gltf" || ending == "glb")
-        return read_gltf(bytes, std::filesystem::path(path).parent_path().string());
+        return read_gltf(bytes, folder);
     throw Error("is not a mesh that can be read; expected .obj, .ply, .stl, .gltf, .glb or .3ds");
 }
 

@@ -22,11 +22,11 @@ Mesh read_mesh(const std::string& path);
 Mesh read_mesh_bytes(const std::string& path, std::string_view bytes);
 
 /// The readers of the formats. They throw Error (input) without the file's name.
-FileMesh read_obj(std::string_view bytes);
 FileMesh read_ply(std::string_view bytes);
 FileMesh read_stl(std::string_view bytes);
 FileMesh read_3ds(std::string_view bytes);
-/// `folder` contains the buffers of a .gltf file.
+/// `folder` holds the files that the file names: materials, buffers, pictures.
+FileMesh read_obj(std::string_view bytes, const std::string& folder);
 FileMesh read_gltf(std::string_view bytes, const std::string& folder);
 
 } // namespace scree

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/obj_statements.h"
 #include "formats/read_mesh.h"
+#include "formats/read_mtl.h"
 #include "formats/vertex_merger.h"
 
 #include <fmt/format.h>
@@ -28,6 +29,7 @@ class Builder {
                 vertices.push_back(vertex(corner));
             if (append_face(mesh_, vertices))
                 crossing.add(face.line);
+            mesh_.parts.resize(mesh_.triangles.size(), face.material);
         }
         if (crossing.count() > 0)
             mesh_.warnings.push_back(
@@ -78,7 +80,7 @@ class Builder {
 
 } // namespace
 
-FileMesh read_obj(std::string_view bytes) {
+FileMesh read_obj(std::string_view bytes, const std::string& folder) {
     const Obj obj = parse_obj(bytes);
     std::string unread;
     for (const auto& [what, tally] : obj.unread)
@@ -87,6 +89,9 @@ FileMesh read_obj(std::string_view bytes) {
     if (obj.faces.empty())
         throw Error("it has no triangles" + (unread.empty() ? "" : "; " + unread));
     FileMesh mesh = Builder(obj).build();
+    if (obj.materials != std::vector<std::string>{""})
+        mesh.materials =
+            std::make_shared<const MeshMaterials>(read_mtl(obj.libraries, obj.materials, folder));
     if (!unread.empty())
         mesh.warnings.push_back(unread);
     return mesh;

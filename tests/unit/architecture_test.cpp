@@ -225,7 +225,6 @@ const std::vector<Door>& doors() {
          "^(Model|Common)/.*NMR_",
          {"formats/write_3mf.cpp", "tests/unit/fabrication_test.cpp"}},
         {"Lua", "^(lua|lauxlib|lualib)\\.h(pp)?$", {"scenes/reader/"}},
-        {"tinygltf", "^tiny_gltf", {"formats/read_gltf.cpp"}},
         {"nlohmann-json", "^nlohmann/", {"formats/", "scenes/reader/", "session/", "tests/"}},
         {"CLI11", "^CLI/", {"app/"}},
         {"oneTBB", "^(tbb|oneapi)/", {"core/parallel.h"}},
