@@ -83,10 +83,10 @@ int run_analyse(const AnalyseOptions& options) {
             seeds.push_back(baked[g].seed);
         }
         run.cancel.check();
-        reports.push_back({runs[0][g].generator, analyse(layouts, seeds)});
+        reports.push_back({runs[0][g].generator, runs[0][g].name, analyse(layouts, seeds)});
         const std::string sheet = sheet_name(options.output, g);
         write_png(sheet, plot_sheet(reports.back().report, layouts[0],
-                                    file_name(options.scene.path) + ": " + runs[0][g].generator));
+                                    file_name(options.scene.path) + ": " + title(runs[0][g])));
         run.console.say("wrote " + sheet);
     }
     write_file(options.output, analysis_json(reports, file_name(options.scene.path)));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "app/scene_options.h"
-#include "scenes/reader/scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -21,7 +20,7 @@ struct CheckOptions {
 int check(const CheckOptions& options) {
     SceneRun run(options.scene);
     const DescriptionNode description = run.session.description();
-    const SceneDraft draft = resolve(description, options.scene.path, run.session.catalog());
+    const SceneDraft draft = run.session.check(description);
     if (options.json) {
         fmt::print("{}\n", to_json(*description));
         return 0;

@@ -91,14 +91,18 @@ Metadata metadata_of(const Scene& scene, const RenderCommand& command) {
 }
 
 void write_pictures(const std::string& output, const RenderResult& result, Metadata metadata,
-                    const FilmSettings& film, const RenderCommand& command) {
+                    const FilmSettings& film, const RenderOptions& options,
+                    const RenderCommand& command) {
     metadata.emplace_back("scree:samples", fmt::format("{:g}", result.stats.samples_per_pixel));
     std::vector<ImagePart> parts = result.film.parts();
     std::erase_if(parts, [&](const ImagePart& part) {
         return part.name != "beauty" &&
                std::find(command.aovs.begin(), command.aovs.end(), part.name) == command.aovs.end();
     });
-    write_exr(output, parts, metadata);
+    std::optional<PictureWindow> window;
+    if (options.crop)
+        window = {options.crop->x, options.crop->y, film.width, film.height};
+    write_exr(output, parts, metadata, {}, window);
     Image shown = to_display(parts.front().image, command.view, film.exposure);
     write_png(png_beside(output), shown);
 }
@@ -129,13 +133,19 @@ int run_render(const RenderCommand& command) {
     if (!draft.scene.camera)
         throw Error(Diagnostic{
             {command.scene.path, 0}, "scene.camera", "is missing; expected a camera.*", ""});
+    if (draft.scene.lights.empty())
+        throw Error(Diagnostic{{command.scene.path, 0},
+                               "scene.lights",
+                               "are missing; without light the picture is black",
+                               "for example lights = { light.sky {}, light.sun {} }"});
     if (!command.size.empty())
         parse_size(command.size, draft.scene.film);
     const RenderOptions options = options_of(command, draft.scene);
     const Scene scene = session.bake(std::move(draft));
     const Rendered rendered = render_scene(session, scene, options);
     session.stages().begin("write");
-    write_pictures(output, rendered.result, metadata_of(scene, command), scene.film, command);
+    write_pictures(output, rendered.result, metadata_of(scene, command), scene.film, options,
+                   command);
     session.stages().end();
 
     const RenderStats& stats = rendered.result.stats;
@@ -170,7 +180,9 @@ void add_render_command(CLI::App& app, Run& run) {
         ->check(CLI::PositiveNumber);
     command->add_option("--size", options->size, "Size of the picture, as in 1280x720")
         ->type_name("WxH");
-    command->add_option("--crop", options->crop, "Render this part of the picture only")
+    command
+        ->add_option("--crop", options->crop,
+                     "Render this part of the picture only; it keeps its place in the .exr")
         ->type_name("x,y,w,h");
     command->add_option("--seed", options->seed, "Seed of the samples; not of the scene");
     command
@@ -178,6 +190,7 @@ void add_render_command(CLI::App& app, Run& run) {
                      "Parts to write beside the beauty: " +
                          fmt::format("{}", fmt::join(aov_names, ",")))
         ->delimiter(',')
+        ->allow_extra_args(false) // or it would take the scene's name too
         ->type_name("LIST");
     command->add_option("--view", options->view, "View for the .png; see `scree view --help`")
         ->type_name("NAME");

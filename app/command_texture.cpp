@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <memory>
 
 namespace scree {
@@ -171,6 +172,7 @@ void write_slices(TextureJob& job, const SliceStack& stack, std::vector<Image> i
         return;
     }
     std::vector<ImagePart> parts;
+    parts.reserve(images.size());
     for (int i = 0; i < stack.count; ++i)
         parts.push_back({slice_name(stack, i), std::move(images[std::size_t(i)])});
     write_exr(job.options.output, parts, job.metadata, stack_numbers(stack));
@@ -228,6 +230,39 @@ std::shared_ptr<const SceneItem> nothing() {
         SceneItem{"object", [](const Context&, std::uint64_t) { return Aggregate{}; }});
 }
 
+/// The number of the object that --object names, counted from 1; 0 without the option.
+int chosen_object(const TextureOptions& options,
+                  const std::vector<std::shared_ptr<const SceneItem>>& items) {
+    const std::string& given = options.object;
+    if (given.empty())
+        return 0;
+    std::vector<std::string> names;
+    int found = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (items[i]->name.empty())
+            continue;
+        names.push_back(items[i]->name);
+        if (items[i]->name != given)
+            continue;
+        if (found > 0)
+            throw Error::usage(fmt::format("--object {}: the objects {} and {} have this name",
+                                           given, found, i + 1),
+                               "choose one by its number");
+        found = static_cast<int>(i) + 1;
+    }
+    if (found > 0)
+        return found;
+    int number = 0;
+    const auto [end, code] = std::from_chars(given.data(), given.data() + given.size(), number);
+    const bool is_number = code == std::errc() && end == given.data() + given.size();
+    if (is_number && number >= 1 && std::size_t(number) <= items.size())
+        return number;
+    throw Error::usage(fmt::format("--object {}: expected the name of an object of {}, or a number "
+                                   "from 1 to {}",
+                                   given, options.scene.path, items.size()),
+                       did_you_mean(given, names));
+}
+
 int bake_texture(const TextureOptions& options) {
     const TextureRequest request = options.request();
     check_writable(options.output);
@@ -237,17 +272,17 @@ int bake_texture(const TextureOptions& options) {
     SceneRun run(options.scene);
     Session& session = run.session;
     SceneDraft draft = session.load();
-    const auto count = static_cast<int>(draft.items.size());
-    if (options.object > count)
-        throw Error::usage(fmt::format("--object {}: {} has {} object{}", options.object,
-                                       options.scene.path, count, count == 1 ? "" : "s"));
-    if (options.object > 0)
-        for (int i = 0; i < count; ++i)
-            if (i != options.object - 1)
-                draft.items[std::size_t(i)] = nothing();
+    const int object = chosen_object(options, draft.items);
+    if (object > 0)
+        for (std::size_t i = 0; i < draft.items.size(); ++i)
+            if (i != std::size_t(object - 1))
+                draft.items[i] = nothing();
     const Scene scene = session.bake(std::move(draft));
-    TextureSubject subject = texture_subject(options.scene.path, scene, options.object);
+    TextureSubject subject = texture_subject(options.scene.path, scene, object);
     check_fills_space(subject, request.map);
+    if (subject.scales_differ && !subject.source.procedural->scales_with_object())
+        run.console.say("warning: the instances differ in scale, so that each has another piece of "
+                        "the texture; this is that of the first");
     if (!options.scene.device.empty()) // only on request, since the host is faster than PoCL
         subject.source.device = session.device();
     const Context context = session.context("texture");

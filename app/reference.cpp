@@ -26,6 +26,7 @@ std::string type_text(const ParamSpec& spec) {
     case ParamType::vector2:
         return "{x, z}";
     case ParamType::vector3:
+    case ParamType::point3:
         return "{x, y, z}";
     case ParamType::color:
         return "{r, g, b}";
@@ -38,7 +39,7 @@ std::string type_text(const ParamSpec& spec) {
     case ParamType::function:
         return "function(x, z)";
     case ParamType::object:
-        return kinds_in_words(spec.families, " or ");
+        return objects_in_words(spec);
     case ParamType::field:
         return "field.* or a number";
     case ParamType::record:
@@ -63,6 +64,7 @@ std::string value_text(const Value& value) {
         std::string operator()(const Vec3& v) const {
             return fmt::format("{{{:g}, {:g}, {:g}}}", v.x, v.y, v.z);
         }
+        std::string operator()(const WideVec3& v) const { return (*this)(Vec3(v)); }
         std::string operator()(const Color& c) const {
             return (*this)(static_cast<const Vec3&>(c));
         }
@@ -119,7 +121,7 @@ std::vector<Line> lines_of(const CatalogRow& row) {
     return lines;
 }
 
-std::string cell(std::string text) {
+std::string cell(const std::string& text) {
     std::string out;
     for (const char c : text) {
         if (c == '|')
@@ -177,7 +179,7 @@ std::string reference_markdown(std::span<const CatalogRow> rows) {
             out += fmt::format("\n## {}\n", row.family);
             if (row.family == "mesh")
                 out += "\nMeshes are centred on the y axis, and their lowest point is at y = 0; "
-                       "those of `mesh.file` are if they have a `size`.\n";
+                       "those of `mesh.file` are with `size` or `centre`.\n";
         }
         family = row.family;
         out += fmt::format("\n### {}\n\n{}\n", full_name(row), row.doc);

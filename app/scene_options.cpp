@@ -10,7 +10,7 @@ void SceneOptions::add_to(CLI::App& command) {
     command.add_option("SCENE", path, "Scene script (.lua) or description (.json)")->required();
     command.add_option("--set", sets, "Give an arg(...) of the script a value, as in --set seed=9")
         ->type_name("K=V")
-        ->expected(1)
+        ->allow_extra_args(false) // or it would take the scene's name too
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     command.add_option("--threads", threads, "Threads to use; 0: all")->check(CLI::Range(0, 1024));
     command.add_option("--device", device,

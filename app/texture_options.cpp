@@ -58,9 +58,9 @@ void TextureOptions::add_to(CLI::App& command) {
     command.add_option("-o,--output", output, "File to write: .png, .exr or .vdb")->required();
     command
         .add_option("--object", object,
-                    "Which of scene.objects, counted from 1, when several have a procedural; "
-                    "the others are not made")
-        ->check(CLI::Range(1, 1 << 20));
+                    "Which of scene.objects, by its name or counted from 1, when several have a "
+                    "procedural; the others are not made")
+        ->type_name("N|NAME");
     command
         .add_option("--map", map,
                     "uv: a texture over the mesh's UVs; slices: parallel cuts through its bounding "

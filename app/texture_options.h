@@ -28,8 +28,8 @@ struct TextureOptions {
     std::string channel;
     std::string size;
     std::string axis;
-    int object = 0; // 0: the only one
-    int slices = 0; // 0: not given
+    std::string object; // its number or name; empty: the only one
+    int slices = 0;     // 0: not given
 
     void add_to(CLI::App& command);
 

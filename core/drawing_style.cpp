@@ -2,6 +2,7 @@
 #include "core/drawing_style.h"
 
 #include "core/error.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -12,44 +13,12 @@ namespace {
 
 constexpr auto npos = std::string_view::npos;
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t\r\n\f");
-    if (begin == npos)
-        return {};
-    return text.substr(begin, text.find_last_not_of(" \t\r\n\f") - begin + 1);
-}
-
-std::string lower(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return out;
-}
-
 std::string_view unquoted(std::string_view text) {
     text = trimmed(text);
     if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'') &&
         text.back() == text.front())
         text = text.substr(1, text.size() - 2);
     return trimmed(text);
-}
-
-std::string without_comments(std::string_view text) {
-    std::string out;
-    while (!text.empty()) {
-        const std::size_t begin = text.find("/*");
-        out += text.substr(0, begin);
-        if (begin == npos)
-            break;
-        const std::size_t end = text.find("*/", begin + 2);
-        text = end == npos ? std::string_view() : text.substr(end + 2);
-        out += ' ';
-    }
-    // Style sheets used to be wrapped in these to hide them from old browsers.
-    for (const char* mark : {"<!--", "-->"})
-        for (std::size_t at = out.find(mark); at != std::string::npos; at = out.find(mark))
-            out.erase(at, std::string_view(mark).size());
-    return out;
 }
 
 bool is_name(char c) {
@@ -70,8 +39,26 @@ std::string scoped_selector(std::string_view selector, std::string_view prefix,
 
 } // namespace
 
+std::string without_comments(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t begin = text.find("/*");
+        out += text.substr(0, begin);
+        if (begin == npos)
+            break;
+        const std::size_t end = text.find("*/", begin + 2);
+        text = end == npos ? std::string_view() : text.substr(end + 2);
+        out += ' ';
+    }
+    // Style sheets used to be wrapped in these to hide them from old browsers.
+    for (const char* mark : {"<!--", "-->"})
+        for (std::size_t at = out.find(mark); at != std::string::npos; at = out.find(mark))
+            out.erase(at, std::string_view(mark).size());
+    return out;
+}
+
 bool is_inside(std::string_view reference) {
-    const std::string start = lower(trimmed(reference).substr(0, 32));
+    const std::string start = lower_case(trimmed(reference).substr(0, 32));
     return start.empty() || start.starts_with('#') || start.starts_with("data:image/png;") ||
            start.starts_with("data:image/jpeg;") || start.starts_with("data:image/jpg;");
 }
@@ -81,7 +68,7 @@ std::string outside_reference(std::string_view value) {
         return {};
     if (value.find('\\') != npos)
         return std::string(trimmed(value));
-    const std::string small = lower(without_comments(value));
+    const std::string small = lower_case(without_comments(value));
     for (const char* function : {"image-set(", "image(", "src("})
         if (const std::size_t at = small.find(function); at != std::string::npos)
             return small.substr(at);

@@ -7,6 +7,10 @@
 
 namespace scree {
 
+/// A style sheet or an attribute `style` with a space for each comment, and without the <!-- and
+/// --> that hid style sheets from old browsers.
+std::string without_comments(std::string_view text);
+
 /// Whether a reference stays in the file: `#id`, or an embedded PNG or JPEG.
 bool is_inside(std::string_view reference);
 

@@ -2,8 +2,9 @@
 // Error messages for users: file, line, parameter, the value given and what is allowed.
 #pragma once
 
+#include "core/nearest_name.h"
+
 #include <exception>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,12 +54,5 @@ class Error : public std::exception {
     std::vector<Diagnostic> diagnostics_;
     std::string text_; // all diagnostics, one under the other
 };
-
-/// The name in `known` nearest to `given` by edit distance, or "" when more than a third of the
-/// letters differ in all of them.
-std::string nearest_name(std::string_view given, std::span<const std::string> known);
-
-/// "did you mean X?", or "" when no name is near.
-std::string did_you_mean(std::string_view given, std::span<const std::string> known);
 
 } // namespace scree

@@ -2,7 +2,10 @@
 // Image files: the only place that uses OpenImageIO and OpenEXR.
 #pragma once
 
+#include "core/warn.h"
+
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,13 +45,28 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 /// Numeric attributes of an EXR header: one number is a float, two are a v2f, three a v3f.
 using HeaderNumbers = std::vector<std::pair<std::string, std::vector<float>>>;
 
-/// Reads a PNG, JPEG or EXR (first part) with at most 4 channels and a size limit; PNG and JPEG
-/// values are converted from sRGB to linear. Throws Error (input) naming the file.
-Image read_image(const std::string& path);
+/// How to read an image.
+struct ImageOptions {
+    std::string layer{};    // of an EXR, as `chosen_layer` finds it; empty: the usual one
+    Warn warn = no_warning; // of what is not honoured
+};
+
+/// Reads a picture: a PNG, JPEG, EXR or HDR (Radiance), with a limit on its size. It has channels
+/// Y, Y A, R G B or R G B A, linear in Rec. 709 and premultiplied, finite and not negative, alpha
+/// in [0, 1].
+///
+/// Honoured are the orientation in EXIF data; in PNG and JPEG the embedded profile, or PNG's cICP,
+/// sRGB or gAMA and cHRM, else values count as sRGB; in EXR the channels' names, the layer, the
+/// display window, which is the picture, and the chromaticities; in HDR the exposure, the
+/// primaries and the order of pixels. Warned of are negative values, which become 0. Throws Error
+/// (input) naming the file for what cannot be read right, such as CMYK, deep data and lookup tables
+/// in profiles.
+Image read_image(const std::string& path, const ImageOptions& options = {});
 
 /// Reads the same files as data: the stored values, 8 and 16 bits scaled to [0, 1], without colour
-/// conversion and without premultiplication.
-Image read_data_image(const std::string& path);
+/// conversion and without premultiplication. Of an EXR these are the layer's channels R, G, B, A
+/// and Y, or all of them when it has none of these.
+Image read_data_image(const std::string& path, const ImageOptions& options = {});
 
 /// All parts of an EXR, and the first part's header: strings and non-standard numbers.
 struct ExrFile {
@@ -58,10 +76,19 @@ struct ExrFile {
 };
 ExrFile read_exr(const std::string& path);
 
-/// Writes a multi-part EXR atomically (zip compressed, every part with the metadata). Throws Error
+/// Where the pixels of a cropped picture lie in the whole one [pixels].
+struct PictureWindow {
+    int x = 0; // of the left column
+    int y = 0; // of the top row
+    int whole_width = 0;
+    int whole_height = 0;
+};
+
+/// Writes a multi-part EXR atomically (zip compressed, every part with the metadata). With a window
+/// the pixels are the data window in the display window of the whole picture. Throws Error
 /// (resource) on an unwritable path or a full disk.
 void write_exr(const std::string& path, std::span<const ImagePart> parts, const Metadata& metadata,
-               const HeaderNumbers& numbers = {});
+               const HeaderNumbers& numbers = {}, const std::optional<PictureWindow>& window = {});
 
 /// An 8-bit PNG as bytes; `image` has 1, 3 or 4 channels already display-encoded in [0, 1].
 /// Dithered by at most half a step with a fixed pattern, to hide banding. Throws Error (resource)

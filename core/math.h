@@ -39,12 +39,24 @@ inline Vec2 rotate(const Vec2& v, double angle) {
 
 inline double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
+/// The same in double, where things may lie far from the origin.
+using WideMatrix = Imath::M44d;
+using WideVec3 = Imath::V3d;
+
 inline Vec3 transform_point(const Matrix& a_from_b, const Vec3& p) { return p * a_from_b; }
 
 inline Vec3 transform_direction(const Matrix& a_from_b, const Vec3& d) {
     Vec3 out;
     a_from_b.multDirMatrix(d, out);
     return out;
+}
+
+inline Vec3 transform_point(const WideMatrix& a_from_b, const Vec3& p) {
+    return Vec3(WideVec3(p) * a_from_b);
+}
+
+inline Vec3 transform_direction(const WideMatrix& a_from_b, const Vec3& d) {
+    return transform_direction(Matrix(a_from_b), d);
 }
 
 inline bool is_finite(const Vec3& v) {

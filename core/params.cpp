@@ -79,6 +79,13 @@ std::string kinds_in_words(const std::vector<std::string>& families, std::string
     return out;
 }
 
+std::string objects_in_words(const ParamSpec& spec) {
+    std::string out = kinds_in_words(spec.families, " or ");
+    for (const std::string& word : spec.choices)
+        out += " or \"" + word + '"';
+    return out;
+}
+
 void Params::set(const std::string& name, Value value, Location where) {
     entries_[name] = Entry{std::move(value), std::move(where)};
 }
@@ -108,6 +115,7 @@ double Params::number(const std::string& name) const { return get<double>(name);
 const std::string& Params::text(const std::string& name) const { return get<std::string>(name); }
 const Vec2& Params::vector2(const std::string& name) const { return get<Vec2>(name); }
 const Vec3& Params::vector3(const std::string& name) const { return get<Vec3>(name); }
+const WideVec3& Params::point3(const std::string& name) const { return get<WideVec3>(name); }
 const Color& Params::color(const std::string& name) const { return get<Color>(name); }
 const Range& Params::range(const std::string& name) const { return get<Range>(name); }
 
@@ -135,6 +143,13 @@ ParamPlace Params::place(const std::string& name) const {
 
 Error Params::error(const std::string& name, std::string message, std::string hint) const {
     return place(name).error(std::move(message), std::move(hint));
+}
+
+void Params::warn(const std::string& name, std::string message, std::string hint) const {
+    if (!warnings_)
+        return;
+    const ParamPlace at = place(name);
+    warnings_->push_back({at.where, at.path, std::move(message), std::move(hint)});
 }
 
 Error ParamPlace::error(std::string message, std::string hint) const {

@@ -26,6 +26,7 @@ enum class ParamType {
     path,     // a file, relative to the script; made absolute on reading
     vector2,  // {x, z}
     vector3,  // {x, y, z}
+    point3,   // {x, y, z}, a place in the scene: in double, since it may be far away
     color,    // {r, g, b}, linear, or one number for grey
     range,    // {low, high} with low <= high, or one number for both
     points,   // list of {x, z}
@@ -39,9 +40,12 @@ enum class ParamType {
 
 class Params;
 
-using Value =
-    std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec2, Vec3, Color, Range,
-                 std::vector<Vec2>, SharedObject, std::shared_ptr<const std::vector<Params>>>;
+/// What users are told although nothing failed, in the order found.
+using Warnings = std::vector<Diagnostic>;
+
+using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec2, Vec3,
+                           WideVec3, Color, Range, std::vector<Vec2>, SharedObject,
+                           std::shared_ptr<const std::vector<Params>>>;
 
 /// The declaration of one parameter. `fallback` (the default), `min` and `max` are in the unit of
 /// scripts.
@@ -57,7 +61,8 @@ struct ParamSpec {
     std::optional<double> max{};
     bool above_min = false; // min itself is not allowed
     bool uniform = false;   // a vector3 may be given as one number for all three
-    std::vector<std::string> choices{};
+    std::vector<std::string>
+        choices{}; // of a `choice`; of an `object` the words that may replace it
     std::vector<ParamSpec> fields{};
     std::optional<std::size_t> min_items{}; // of a list
 };
@@ -80,6 +85,9 @@ bool is_object_list(const ParamSpec& spec);
 /// "mesh.* or region.*", where `between` is " or ". The family `object` is written without ".*".
 std::string kinds_in_words(const std::vector<std::string>& families, std::string_view between);
 
+/// What an `object` may be: "material.* or "file"".
+std::string objects_in_words(const ParamSpec& spec);
+
 /// Where a parameter was written and what it is called: what an error says that is found after the
 /// parameters were read.
 struct ParamPlace {
@@ -98,6 +106,9 @@ class Params {
 
     void set(const std::string& name, Value value, Location where = {});
 
+    /// Where `warn` puts its warnings; without, they are lost.
+    void set_warnings(std::shared_ptr<Warnings> warnings) { warnings_ = std::move(warnings); }
+
     bool has(const std::string& name) const; // given, or has a default
     bool flag(const std::string& name) const;
     std::int64_t integer(const std::string& name) const;
@@ -105,6 +116,7 @@ class Params {
     const std::string& text(const std::string& name) const; // text, choice, path, function
     const Vec2& vector2(const std::string& name) const;
     const Vec3& vector3(const std::string& name) const;
+    const WideVec3& point3(const std::string& name) const;
     const Color& color(const std::string& name) const;
     const Range& range(const std::string& name) const;
     const std::vector<Vec2>& points(const std::string& name) const;
@@ -129,6 +141,10 @@ class Params {
     /// An error that names this parameter's file, line and path.
     Error error(const std::string& name, std::string message, std::string hint = {}) const;
 
+    /// Tells the user something about this parameter that is no error: what of a file is not read,
+    /// and does not make the result wrong.
+    void warn(const std::string& name, std::string message, std::string hint = {}) const;
+
   private:
     struct Entry {
         Value value;
@@ -141,6 +157,7 @@ class Params {
     std::string path_;
     Location where_;
     std::map<std::string, Entry> entries_;
+    std::shared_ptr<Warnings> warnings_;
 };
 
 } // namespace scree

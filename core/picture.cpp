@@ -5,6 +5,9 @@
 #include "core/drawing_raster.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/memory_file.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
@@ -47,8 +50,6 @@ Image with_all_channels(Image image) {
     std::ptrdiff_t from[] = {index("R"), index("G"), index("B"), index("A")};
     if (const std::ptrdiff_t grey = index("Y"); grey != none)
         from[0] = from[1] = from[2] = grey;
-    if (std::max({from[0], from[1], from[2]}) == none)
-        throw Error("is no picture: it has neither R, G and B nor Y");
     Image out(image.width, image.height, all);
     for (std::size_t i = 0; i < out.pixels.size() / 4; ++i)
         for (std::size_t c = 0; c < 4; ++c)
@@ -58,22 +59,8 @@ Image with_all_channels(Image image) {
     return out;
 }
 
-void check_finite(const Image& image) {
-    for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        if (!std::isfinite(image.pixels[i]))
-            throw Error("pixel (" + std::to_string(i / 4 % std::size_t(image.width)) + ", " +
-                        std::to_string(i / 4 / std::size_t(image.width)) +
-                        ") is not a finite number");
-}
-
-void read_pixels(const std::string& path, Picture& picture) {
-    picture.image = read_image(path);
-    try {
-        picture.image = with_all_channels(std::move(picture.image));
-        check_finite(picture.image);
-    } catch (const Error& error) {
-        throw Error(path + ": " + error.diagnostics().front().message);
-    }
+void read_pixels(const std::string& path, const ImageOptions& options, Picture& picture) {
+    picture.image = with_all_channels(read_image(path, options));
     picture.box = unit_box({double(picture.image.width), double(picture.image.height)});
 }
 
@@ -97,14 +84,32 @@ void read_vectors(const std::string& path, int pixels, Picture& picture) {
 
 } // namespace
 
-Picture read_picture(const std::string& path, int pixels) {
+Picture read_picture(const std::string& path, int pixels, const ImageOptions& options) {
     Picture picture;
     picture.name = file_name(path);
-    if (is_drawing(path))
+    const bool drawing = is_drawing(path);
+    if (drawing && !options.layer.empty())
+        throw Error(
+            fmt::format("{}: has no layer \"{}\"; only EXR has layers", path, options.layer));
+    if (drawing)
         read_vectors(path, pixels, picture);
     else
-        read_pixels(path, picture);
+        read_pixels(path, options, picture);
     return picture;
+}
+
+Picture read_picture_bytes(const std::string& name, std::string_view bytes) {
+    const MemoryFile file(name, bytes); // readers of images read files
+    try {
+        Picture picture = read_picture(file.path());
+        picture.name = name;
+        return picture;
+    } catch (const Error& error) {
+        std::string message = error.diagnostics().front().message;
+        if (message.starts_with(file.path()))
+            message.replace(0, file.path().size(), name);
+        throw error.fault() == Fault::resource ? Error::resource(message) : Error(message);
+    }
 }
 
 } // namespace scree

@@ -5,6 +5,7 @@
 #include "core/math.h"
 
 #include <string>
+#include <string_view>
 
 namespace scree {
 
@@ -20,10 +21,15 @@ struct Picture {
 /// Default number of pixels along the longer side of a rasterised drawing.
 inline constexpr int drawing_pixels = 512;
 
-/// Reads a PNG, JPEG or EXR (with or without alpha), or an SVG drawing, which is also rasterised
-/// with `pixels` pixels along its longer side. The box is centred on the origin, its longer side
-/// 1 m. Throws Error (input) naming the file when it is missing, corrupt or too large, has channels
-/// that are not a colour, or is a drawing that `read_drawing` rejects.
-Picture read_picture(const std::string& path, int pixels = drawing_pixels);
+/// Reads an image as `read_image` does (with or without alpha), or an SVG drawing, which is also
+/// rasterised with `pixels` pixels along its longer side. The box is centred on the origin, its
+/// longer side 1 m. Throws Error (input) naming the file when it is missing, corrupt or too large,
+/// or is a drawing that `read_drawing` rejects.
+Picture read_picture(const std::string& path, int pixels = drawing_pixels,
+                     const ImageOptions& options = {});
+
+/// The same of the bytes of such a file, named `name` in messages. Throws also Error (resource)
+/// when there is no memory for them.
+Picture read_picture_bytes(const std::string& name, std::string_view bytes);
 
 } // namespace scree

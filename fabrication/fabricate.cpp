@@ -110,11 +110,10 @@ class Fabricator {
     }
 
     bool add(DistanceField& field, const Solid& solid) const {
-        const Imath::M44d matrix(solid.world_from_object);
         std::vector<Imath::V3d> positions;
         positions.reserve(solid.mesh->positions.size());
         for (const Vec3& p : solid.mesh->positions)
-            positions.push_back(Imath::V3d(p) * matrix / cell_);
+            positions.push_back(Imath::V3d(p) * solid.world_from_object / cell_);
         return add_solid(field, positions, solid.mesh->triangles);
     }
 

@@ -15,9 +15,9 @@ double thickness(const Solid& solid, const Vec3& size) {
     // Per axis, so that a mesh squeezed along one axis counts as thin.
     double least = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
-        const Vec3 row(solid.world_from_object[axis][0], solid.world_from_object[axis][1],
-                       solid.world_from_object[axis][2]);
-        least = std::min(least, double(size[axis]) * double(row.length()));
+        const WideVec3 row(solid.world_from_object[axis][0], solid.world_from_object[axis][1],
+                           solid.world_from_object[axis][2]);
+        least = std::min(least, double(size[axis]) * row.length());
     }
     return least;
 }
@@ -90,9 +90,8 @@ double farthest(std::span<const Solid> solids) {
             Vec3 p;
             for (int axis = 0; axis < 3; ++axis)
                 p[axis] = (corner >> axis & 1) != 0 ? box->second.max[axis] : box->second.min[axis];
-            p = transform_point(solid.world_from_object, p);
-            most = std::max(
-                {most, std::abs(double(p.x)), std::abs(double(p.y)), std::abs(double(p.z))});
+            const WideVec3 there = WideVec3(p) * solid.world_from_object;
+            most = std::max({most, std::abs(there.x), std::abs(there.y), std::abs(there.z)});
         }
     }
     return most;

@@ -10,7 +10,7 @@ namespace scree {
 /// An instance of a closed mesh.
 struct Solid {
     const Mesh* mesh = nullptr;
-    Matrix world_from_object;
+    WideMatrix world_from_object;
 };
 
 /// All instances of closed components.

@@ -6,8 +6,7 @@
 namespace scree {
 
 Color element_color(const Aggregate& aggregate, const Instance& instance) {
-    const Material* material = aggregate.prototypes[instance.prototype].material.get();
-    const Paint* paint = material == nullptr ? nullptr : paint_of(*material);
+    const Paint* paint = paint_of(aggregate.prototypes[instance.prototype].materials);
     const std::optional<Color> color =
         paint == nullptr ? std::nullopt : paint->one_color(instance.random);
     return color ? display_color(*color) : palette_color(instance.prototype);

@@ -16,6 +16,7 @@ namespace {
 const Color paper(1.0F, 1.0F, 1.0F);
 const Color ground(0.955F, 0.95F, 0.94F);
 const Color edge(0.2F, 0.2F, 0.22F);
+const Color margin(0.6F, 0.6F, 0.63F);
 
 Color linear_color(const Color& display) {
     return {linear_from_display(display.x), linear_from_display(display.y),
@@ -83,7 +84,7 @@ class LayoutImage {
     void draw(const Aggregate& aggregate, const Instance& instance, const Vec2& shift,
               const ElementColor& color) {
         const Prototype& prototype = aggregate.prototypes[instance.prototype];
-        const Matrix& matrix = instance.world_from_object;
+        const WideMatrix& matrix = instance.world_from_object;
         if (prototype.picture) {
             const Box2& box = prototype.picture->box;
             const auto at = [&](double x, double z) {
@@ -96,11 +97,20 @@ class LayoutImage {
                 canvas_.draw(filter(*prototype.picture, Beyond::clamped), place);
             return;
         }
-        Region placed = ground_region(*prototype.region, matrix);
-        for (Ring& ring : placed.rings)
+        canvas_.fill(placed(seen_region(prototype), matrix, shift),
+                     linear_color(color(aggregate, instance)));
+        if (has_margin(prototype))
+            for (const Ring& ring : placed(*prototype.region, matrix, shift))
+                canvas_.stroke(ring, 0.75, linear_color(margin), true);
+    }
+
+    std::vector<Ring> placed(const Region& region, const WideMatrix& matrix,
+                             const Vec2& shift) const {
+        Region moved = ground_region(region, matrix);
+        for (Ring& ring : moved.rings)
             for (Vec2& p : ring)
                 p += shift;
-        canvas_.fill(pixels(placed), linear_color(color(aggregate, instance)));
+        return pixels(moved);
     }
 
     Vec2 low_;

@@ -13,6 +13,14 @@ bool are_textures(std::span<const Aggregate> aggregates) {
                        [](const Aggregate& a) { return a.texture && a.domain; });
 }
 
+const Region& seen_region(const Prototype& prototype) {
+    return prototype.outline ? *prototype.outline : *prototype.region;
+}
+
+bool has_margin(const Prototype& prototype) {
+    return prototype.region && prototype.outline && !prototype.picture;
+}
+
 Box2 prototype_box(const Prototype& prototype) {
     Box2 box;
     if (prototype.region)
@@ -65,17 +73,18 @@ bool is_seen(const Aggregate& aggregate, const Instance& instance, const Vec2& s
         return false;
     if (!aggregate.domain || !(aggregate.torus || aggregate.texture))
         return true;
-    const Matrix& m = instance.world_from_object;
+    const WideMatrix& m = instance.world_from_object;
     const double scale = // the Frobenius norm, an upper bound of the scale
         std::hypot(std::hypot(m[0][0], m[0][2]), std::hypot(m[2][0], m[2][2]));
     double reach = 0; // radius of the bounding circle about the prototype's origin
     for (const Vec2& corner :
          {box.min, box.max, Vec2(box.min.x, box.max.y), Vec2(box.max.x, box.min.y)})
         reach = std::max(reach, corner.length() * scale);
+    reach *= 1 - 1e-9; // what only touches the domain, up to rounding, is not seen
     Box2 domain = bounds(*aggregate.domain);
     domain.min -= Vec2(reach, reach);
     domain.max += Vec2(reach, reach);
-    return domain.intersects(Vec2(double(m[3][0]), double(m[3][2])) + shift);
+    return domain.intersects(Vec2(m[3][0], m[3][2]) + shift);
 }
 
 } // namespace scree

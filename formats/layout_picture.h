@@ -23,6 +23,12 @@ Box2 picture_box(std::span<const Aggregate> aggregates);
 /// Whether all of them are textures, which are drawn without paper and outlines.
 bool are_textures(std::span<const Aggregate> aggregates);
 
+/// What is drawn of a prototype with a region: its shape from above, without margin.
+const Region& seen_region(const Prototype& prototype);
+
+/// Whether the exclusive region is more, or other, than the shape, and is drawn too.
+bool has_margin(const Prototype& prototype);
+
 /// The bounding box of the prototype's region and picture in its own frame [m]; may be empty.
 Box2 prototype_box(const Prototype& prototype);
 
@@ -36,6 +42,7 @@ bool is_seen(const Aggregate& aggregate, const Instance& instance, const Vec2& s
 
 /// SVG 1.1, in millimetres: for every prototype a <path> (with holes) or a <symbol> (with its
 /// picture) in <defs>, for every instance a <use> with its matrix, and the outlines of the domains.
+/// Exclusive regions that are not the shapes themselves are a group of thin lines.
 /// On a torus the periodic copies are included, clipped to the domain.
 std::string layout_svg(std::span<const Aggregate> aggregates, const ElementColor& color);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/placed_mesh.h"
 #include "formats/read_mesh.h"
 #include "formats/table.h"
 
@@ -25,10 +26,13 @@ std::string near_file(const std::string& path) {
     return did_you_mean(file_name(path), names);
 }
 
-Mesh read_located(const Params& params) {
+FileMesh read_located(const Params& params) {
     const std::string& path = params.text("path");
     try {
-        return read_mesh(path);
+        FileMesh mesh = read_file_mesh(path);
+        for (const std::string& warning : mesh.warnings)
+            params.warn("path", path + ": " + warning);
+        return mesh;
     } catch (const Error& problem) {
         const bool missing = !std::filesystem::exists(path);
         throw params.error("path", problem.diagnostics().front().message,
@@ -36,12 +40,29 @@ Mesh read_located(const Params& params) {
     }
 }
 
+// Places the mesh as the parameters say. One that stays where it is must not lie so far from the
+// origin that single precision distorts it.
+void place(FileMesh& mesh, const Params& params) {
+    if (params.text("up") == "z")
+        turn_z_up(mesh);
+    if (params.has("size"))
+        centre(mesh, params.number("size"));
+    else if (params.flag("centre"))
+        centre(mesh, {});
+    else if (const Rounding r = rounding(mesh); r.shows())
+        throw params.error(
+            "path",
+            fmt::format("{}: the mesh is {:.3g} long and lies up to {:.7g} from the origin: single "
+                        "precision would move its vertices by up to {:.2g}",
+                        params.text("path"), r.longest, r.distance, r.moved),
+            "centre = true moves it to the origin, size = also scales it");
+}
+
 Mesh make(const Params& params) {
-    Mesh mesh = read_located(params);
-    if (params.text("up") == "z") {
-        Matrix y_from_z(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
-        transform(mesh, y_from_z);
-    }
+    FileMesh placed = read_located(params);
+    place(placed, params);
+    Mesh mesh = to_mesh(placed);
+    mesh.name = file_name(params.text("path"));
     if (params.flag("closed")) {
         const MeshFacts facts = inspect(mesh);
         if (!facts.closed())
@@ -52,8 +73,6 @@ Mesh make(const Params& params) {
     }
     if (mesh.normals.empty())
         compute_normals(mesh, params.number("crease"));
-    if (params.has("size"))
-        normalise_size(mesh, params.number("size"));
     return mesh;
 }
 
@@ -76,6 +95,11 @@ Registry<Mesh(const Params& params)> mesh_file_table() {
              .optional = true,
              .min = 1e-6,
              .max = 1e6},
+            {.name = "centre",
+             .type = ParamType::boolean,
+             .doc = "Whether the mesh is moved as with `size`, but not scaled. Files of millions "
+                    "of metres, as those of surveys, need one of both.",
+             .fallback = false},
             {.name = "up",
              .type = ParamType::choice,
              .doc = "Which axis of the file points up.",

@@ -5,6 +5,8 @@
 
 #include "core/error.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <bit>
 #include <cstring>
@@ -29,6 +31,7 @@ class Bytes {
     explicit Bytes(std::string_view bytes) : rest_(bytes) {}
 
     bool empty() const { return rest_.empty(); }
+    std::size_t size() const { return rest_.size(); }
 
     std::string_view take(std::size_t size) {
         if (size > rest_.size())
@@ -55,46 +58,55 @@ class Bytes {
     std::string_view rest_;
 };
 
-void read_vertices(Bytes bytes, Mesh& mesh) {
-    const auto count = bytes.number<std::uint16_t>();
+// A count, checked against the bytes that follow it. `exact`: nothing else may follow.
+std::size_t count_of(Bytes& bytes, const char* what, std::size_t record, bool exact) {
+    const std::size_t count = bytes.number<std::uint16_t>();
+    const std::size_t room = bytes.size() / record;
+    if (count > room || (exact && count < room))
+        throw Error(fmt::format("a chunk counts {} {}, there is room for {}", count, what, room));
+    return count;
+}
+
+void read_vertices(Bytes bytes, FileMesh& mesh) {
+    const std::size_t count = count_of(bytes, "vertices", 12, true);
     for (std::size_t i = 0; i < count; ++i) {
         const auto p = bytes.number<std::array<float, 3>>();
         mesh.positions.emplace_back(p[0], p[1], p[2]);
     }
 }
 
-void read_faces(Bytes bytes, Mesh& mesh) {
-    const auto count = bytes.number<std::uint16_t>();
+void read_faces(Bytes bytes, FileMesh& mesh) {
+    const std::size_t count = count_of(bytes, "faces", 8, false); // materials follow them
     for (std::size_t i = 0; i < count; ++i) {
         const auto face = bytes.number<std::array<std::uint16_t, 4>>(); // the last holds flags
         mesh.triangles.push_back({face[0], face[1], face[2]});
     }
 }
 
-void read_map(Bytes bytes, Mesh& mesh) {
-    const auto count = bytes.number<std::uint16_t>();
+void read_map(Bytes bytes, FileMesh& mesh) {
+    const std::size_t count = count_of(bytes, "texture coordinates", 8, true);
     for (std::size_t i = 0; i < count; ++i) {
         const auto uv = bytes.number<std::array<float, 2>>();
         mesh.uvs.emplace_back(uv[0], uv[1]);
     }
 }
 
-void finish_part(Mesh& mesh, Mesh part) {
+void finish_part(FileMesh& mesh, FileMesh part) {
     for (const Mesh::Triangle& t : part.triangles)
         for (const std::uint32_t index : t)
             if (index >= part.positions.size())
                 throw Error("a face names vertex " + std::to_string(index) + " of " +
                             std::to_string(part.positions.size()));
-    const bool first = mesh.positions.empty();
-    if (part.uvs.size() != part.positions.size() || (!first && mesh.uvs.empty())) {
+    if (!part.uvs.empty() && part.uvs.size() != part.positions.size()) {
+        part.warnings.push_back(fmt::format("{} texture coordinates for {} vertices are not read",
+                                            part.uvs.size(), part.positions.size()));
         part.uvs.clear();
-        mesh.uvs.clear();
     }
-    append(mesh, part);
+    append(mesh, std::move(part));
 }
 
 // Each kind of chunk is entered from one parent kind only, so the recursion ends.
-void read_chunks(Bytes bytes, std::uint16_t parent, Mesh& mesh) {
+void read_chunks(Bytes bytes, std::uint16_t parent, FileMesh& mesh) {
     while (!bytes.empty()) {
         const auto kind = bytes.number<std::uint16_t>();
         const auto length = bytes.number<std::uint32_t>();
@@ -109,7 +121,7 @@ void read_chunks(Bytes bytes, std::uint16_t parent, Mesh& mesh) {
             body.skip_text();
             read_chunks(body, object, mesh);
         } else if (parent == object && kind == triangle_mesh) {
-            Mesh part;
+            FileMesh part;
             read_chunks(body, triangle_mesh, part);
             finish_part(mesh, std::move(part));
         } else if (parent == triangle_mesh && kind == vertices) {
@@ -127,9 +139,9 @@ void read_chunks(Bytes bytes, std::uint16_t parent, Mesh& mesh) {
 FileMesh read_3ds(std::string_view bytes) {
     if (!bytes.starts_with("MM"))
         throw Error("it is not a 3DS file");
-    Mesh mesh;
+    FileMesh mesh;
     read_chunks(Bytes(bytes), 0, mesh);
-    return to_file_mesh(mesh);
+    return mesh;
 }
 
 } // namespace scree

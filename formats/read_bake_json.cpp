@@ -97,7 +97,7 @@ Instance read_instance(const Located& in, std::size_t prototypes) {
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column)
             instance.world_from_object[column][row] =
-                static_cast<float>(matrix.at(std::size_t(4 * row + column)).number());
+                matrix.at(std::size_t(4 * row + column)).number();
     if (in.has("angle"))
         instance.angle = radians(in.at("angle").number());
     if (in.has("scale"))
@@ -108,6 +108,8 @@ Instance read_instance(const Located& in, std::size_t prototypes) {
 Aggregate read_aggregate(const Located& in) {
     Aggregate aggregate;
     aggregate.generator = in.at("generator").text();
+    if (in.has("name"))
+        aggregate.name = in.at("name").text();
     if (in.has("seed"))
         aggregate.seed =
             in.at("seed").whole(std::numeric_limits<std::uint64_t>::max(), "a whole number");
@@ -128,6 +130,8 @@ Aggregate read_aggregate(const Located& in) {
         out.name = prototype.at("name").text();
         if (prototype.has("region"))
             out.region = read_region(prototype.at("region"));
+        if (prototype.has("outline"))
+            out.outline = read_region(prototype.at("outline"));
     }
     const Located instances = in.at("instances");
     for (std::size_t i = 0; i < instances.list_size(); ++i)

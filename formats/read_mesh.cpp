@@ -13,8 +13,9 @@ namespace {
 
 FileMesh read_by_ending(const std::string& path, std::string_view bytes) {
     const std::string ending = extension(path);
+    const std::string folder = std::filesystem::path(path).parent_path().string();
     if (ending == "obj")
-        return read_obj(bytes);
+        return read_obj(bytes, folder);
     if (ending == "ply")
         return read_ply(bytes);
     if (ending == "stl")
@@ -22,12 +23,18 @@ FileMesh read_by_ending(const std::string& path, std::string_view bytes) {
     if (ending == "3ds")
         return read_3ds(bytes);
     if (ending == "gltf" || ending == "glb")
-        return read_gltf(bytes, std::filesystem::path(path).parent_path().string());
+        return read_gltf(bytes, folder);
     throw Error("is not a mesh that can be read; expected .obj, .ply, .stl, .gltf, .glb or .3ds");
 }
 
 // Products of three coordinates must stay finite in single precision.
 constexpr double largest_position = 1e12;
+
+template <class T>
+void drop(std::vector<T>& values, FileMesh& mesh, const char* why) {
+    values.clear();
+    mesh.warnings.emplace_back(std::string("its ") + why);
+}
 
 // Checks a reader's mesh: indices in range, positions finite, normals and UVs valid or dropped.
 void check(FileMesh& mesh) {
@@ -46,18 +53,22 @@ void check(FileMesh& mesh) {
     if (mesh.triangles.empty())
         throw Error("it has no triangles");
     const auto bad_normal = [](const Vec3& n) { return !is_finite(n) || n.length() < 1e-6F; };
-    if (mesh.normals.size() != mesh.positions.size() ||
-        std::any_of(mesh.normals.begin(), mesh.normals.end(), bad_normal))
+    if (std::any_of(mesh.normals.begin(), mesh.normals.end(), bad_normal))
+        drop(mesh.normals, mesh, "normals are not read, since one is 0 or not a number");
+    if (mesh.normals.size() != mesh.positions.size())
         mesh.normals.clear();
     for (Vec3& n : mesh.normals)
         n.normalize();
     const auto bad_uv = [](const Vec2f& t) { return !std::isfinite(t.x) || !std::isfinite(t.y); };
-    if (mesh.uvs.size() != mesh.positions.size() ||
-        std::any_of(mesh.uvs.begin(), mesh.uvs.end(), bad_uv))
+    if (std::any_of(mesh.uvs.begin(), mesh.uvs.end(), bad_uv))
+        drop(mesh.uvs, mesh, "texture coordinates are not read, since one is not a number");
+    if (mesh.uvs.size() != mesh.positions.size())
         mesh.uvs.clear();
 }
 
-FileMesh read_checked(const std::string& path, std::string_view bytes) {
+} // namespace
+
+FileMesh read_file_mesh_bytes(const std::string& path, std::string_view bytes) {
     try {
         FileMesh mesh = read_by_ending(path, bytes);
         check(mesh);
@@ -71,16 +82,14 @@ FileMesh read_checked(const std::string& path, std::string_view bytes) {
     }
 }
 
-} // namespace
-
 FileMesh read_file_mesh(const std::string& path) {
-    return read_checked(path, read_file(path)); // errors of read_file already name the file
+    return read_file_mesh_bytes(path, read_file(path)); // errors of read_file already name the file
 }
 
 Mesh read_mesh(const std::string& path) { return read_mesh_bytes(path, read_file(path)); }
 
 Mesh read_mesh_bytes(const std::string& path, std::string_view bytes) {
-    Mesh mesh = to_mesh(read_checked(path, bytes));
+    Mesh mesh = to_mesh(read_file_mesh_bytes(path, bytes));
     mesh.name = file_name(path);
     return mesh;
 }

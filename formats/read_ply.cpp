@@ -1,274 +1,225 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PLY (Turk 1994): ASCII and both binary byte orders. Counts are checked against the size of the
-// file before memory is allocated for them.
+// PLY (Turk 1994): polygons and strips of triangles. What else the header declares is skipped and
+// named.
+#include "formats/ply_rows.h"
 #include "formats/read_mesh.h"
 
-#include "core/error.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <bit>
-#include <charconv>
+#include <array>
 #include <cmath>
-#include <cstring>
-#include <optional>
-#include <sstream>
 
 namespace scree {
 
 namespace {
 
-enum class Encoding { ascii, little, big };
-enum class Scalar { i8, u8, i16, u16, i32, u32, f32, f64 };
+using Element = PlyHeader::Element;
+using Property = PlyHeader::Property;
 
-struct Property {
-    std::string name;
-    Scalar type = Scalar::f32;
-    std::optional<Scalar> count; // of a list
-};
+constexpr std::size_t unread = ~std::size_t{0};
 
-struct Element {
-    std::string name;
-    std::size_t count = 0;
-    std::vector<Property> properties;
-};
-
-struct Header {
-    Encoding encoding = Encoding::ascii;
-    std::vector<Element> elements;
-    std::size_t size = 0; // [bytes]
-};
-
-Scalar scalar_type(const std::string& name) {
-    static const std::pair<const char*, Scalar> names[] = {
-        {"char", Scalar::i8},    {"int8", Scalar::i8},     {"uchar", Scalar::u8},
-        {"uint8", Scalar::u8},   {"short", Scalar::i16},   {"int16", Scalar::i16},
-        {"ushort", Scalar::u16}, {"uint16", Scalar::u16},  {"int", Scalar::i32},
-        {"int32", Scalar::i32},  {"uint", Scalar::u32},    {"uint32", Scalar::u32},
-        {"float", Scalar::f32},  {"float32", Scalar::f32}, {"double", Scalar::f64},
-        {"float64", Scalar::f64}};
-    for (const auto& [known, type] : names)
-        if (name == known)
-            return type;
-    throw Error("its header has the unknown type " + name);
+// What is kept of a vertex: position, normal, UV.
+std::size_t vertex_slot(const Property& property) {
+    static const std::pair<const char*, std::size_t> slots[] = {
+        {"x", 0},         {"y", 1},         {"z", 2},         {"nx", 3},       {"ny", 4},
+        {"nz", 5},        {"u", 6},         {"v", 7},         {"s", 6},        {"t", 7},
+        {"texture_u", 6}, {"texture_v", 7}, {"texture_s", 6}, {"texture_t", 7}};
+    for (const auto& [known, slot] : slots)
+        if (property.name == known && !property.count)
+            return slot;
+    return unread;
 }
 
-Property parse_property(std::istringstream& words) {
-    Property property;
-    std::string type;
-    words >> type;
-    if (type == "list") {
-        std::string count;
-        words >> count >> type;
-        property.count = scalar_type(count);
-    }
-    property.type = scalar_type(type);
-    if (!(words >> property.name))
-        throw Error("its header has a property without a name");
-    return property;
+bool is_corner_list(const Property& property) {
+    return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-Header parse_header(std::string_view bytes) {
-    Header header;
-    bool has_format = false;
-    for (std::size_t at = 0; at < bytes.size();) {
-        const std::size_t end = bytes.find('\n', at);
-        if (end == std::string_view::npos)
-            break;
-        std::istringstream words{std::string(bytes.substr(at, end - at))};
-        at = end + 1;
-        std::string keyword;
-        words >> keyword;
-        if (keyword == "format") {
-            std::string name;
-            words >> name;
-            has_format = true;
-            if (name == "ascii")
-                header.encoding = Encoding::ascii;
-            else if (name == "binary_little_endian")
-                header.encoding = Encoding::little;
-            else if (name == "binary_big_endian")
-                header.encoding = Encoding::big;
-            else
-                throw Error("its header has the unknown format " + name);
-        } else if (keyword == "element") {
-            Element element;
-            if (!(words >> element.name >> element.count))
-                throw Error("its header has an element without a count");
-            header.elements.push_back(std::move(element));
-        } else if (keyword == "property") {
-            if (header.elements.empty())
-                throw Error("its header has a property of nothing");
-            header.elements.back().properties.push_back(parse_property(words));
-        } else if (keyword == "end_header") {
-            if (!has_format)
-                throw Error("its header names no format");
-            header.size = at;
-            return header;
-        }
-    }
-    throw Error("its header has no end");
+bool is_strips(const Element& element) {
+    return element.name == "tristrips" || element.name == "tristrip";
 }
 
-// Reads numbers one after the other in any of the three encodings.
 class Reader {
   public:
-    Reader(std::string_view bytes, Encoding encoding) : rest_(bytes), encoding_(encoding) {}
+    explicit Reader(const PlyHeader& header) : header_(header), rows_(header) {}
 
-    double number(Scalar type) { return encoding_ == Encoding::ascii ? word() : binary(type); }
-
-    std::size_t remaining() const { return rest_.size(); }
+    FileMesh read() {
+        check_header();
+        for (const Element& element : header_.elements) {
+            if (element.name == "vertex")
+                read_vertices(element);
+            else if (element.name == "face" || is_strips(element))
+                read_faces(element);
+            else
+                skip(element);
+        }
+        rows_.finish();
+        add_triangles();
+        if (!unread_.empty() && mesh_.triangles.empty())
+            throw Error(fmt::format("it has no triangles; not read: {}", fmt::join(unread_, ", ")));
+        if (!unread_.empty())
+            mesh_.warnings.push_back(fmt::format("not read: {}", fmt::join(unread_, ", ")));
+        return std::move(mesh_);
+    }
 
   private:
-    [[noreturn]] static void too_short() { throw Error("it ends too early"); }
+    struct Place {
+        const Element* element = nullptr;
+        std::size_t row = 0; // or its line
+    };
 
-    double word() {
-        constexpr const char* white = " \t\r\n\v\f";
-        const std::size_t start = rest_.find_first_not_of(white);
-        if (start == std::string_view::npos)
-            too_short();
-        rest_.remove_prefix(start);
-        const std::string_view token = rest_.substr(0, rest_.find_first_of(white));
-        double value = 0;
-        const char* first = token.data() + (token.starts_with('+') ? 1 : 0);
-        const auto [end, code] = std::from_chars(first, token.data() + token.size(), value);
-        if (code != std::errc() || end != token.data() + token.size())
-            throw Error("\"" + std::string(token.substr(0, 20)) + "\" is not a number");
-        rest_.remove_prefix(token.size());
-        return value;
+    struct Face {
+        std::size_t first = 0; // of its corners in corners_
+        std::size_t count = 0;
+        Place place;
+    };
+
+    std::string in_words(const Place& place) const {
+        return rows_.place_in_words(*place.element, place.row);
     }
 
-    template <class T>
-    double take() {
-        if (rest_.size() < sizeof(T))
-            too_short();
-        std::array<char, sizeof(T)> raw{};
-        std::memcpy(raw.data(), rest_.data(), sizeof(T));
-        rest_.remove_prefix(sizeof(T));
-        constexpr bool little = std::endian::native == std::endian::little;
-        if (little != (encoding_ == Encoding::little))
-            std::reverse(raw.begin(), raw.end());
-        return static_cast<double>(std::bit_cast<T>(raw));
-    }
-
-    double binary(Scalar type) {
-        switch (type) {
-        case Scalar::i8:
-            return take<std::int8_t>();
-        case Scalar::u8:
-            return take<std::uint8_t>();
-        case Scalar::i16:
-            return take<std::int16_t>();
-        case Scalar::u16:
-            return take<std::uint16_t>();
-        case Scalar::i32:
-            return take<std::int32_t>();
-        case Scalar::u32:
-            return take<std::uint32_t>();
-        case Scalar::f32:
-            return take<float>();
-        case Scalar::f64:
-            return take<double>();
+    void check_header() const {
+        std::size_t vertices = 0;
+        for (const Element& element : header_.elements) {
+            const bool lists = std::ranges::any_of(element.properties, is_corner_list);
+            const bool is_face = element.name == "face" || is_strips(element);
+            vertices += element.name == "vertex" ? 1 : 0;
+            if (is_face && !lists && element.count > 0)
+                throw Error(fmt::format("its element {} has no list vertex_indices or vertex_index",
+                                        in_quotes(element.name)));
+            if (!is_face && lists && element.count > 0)
+                throw Error(fmt::format("its element {} has a list of vertices that is not read; "
+                                        "expected face or tristrips",
+                                        in_quotes(element.name)));
         }
-        return 0;
+        if (vertices > 1)
+            throw Error("its header has several elements \"vertex\"; expected one");
     }
 
-    std::string_view rest_;
-    Encoding encoding_;
+    void read_vertices(const Element& element) {
+        std::array<bool, 8> has{};
+        std::vector<std::size_t> slots;
+        for (const Property& property : element.properties) {
+            slots.push_back(vertex_slot(property));
+            if (slots.back() != unread)
+                has[slots.back()] = true;
+        }
+        if (!has[0] || !has[1] || !has[2])
+            throw Error("its vertices have no x, y, z");
+        const bool normals = has[3] && has[4] && has[5];
+        const bool uvs = has[6] && has[7];
+        for (std::size_t p = 0; p < slots.size(); ++p)
+            if (slots[p] == unread || (slots[p] >= 6 ? !uvs : slots[p] >= 3 && !normals))
+                note_unread(element, element.properties[p]);
+        for (std::size_t row = 0; row < element.count; ++row) {
+            rows_.next(element, row);
+            std::array<double, 8> value{};
+            for (std::size_t p = 0; p < slots.size(); ++p)
+                if (slots[p] != unread)
+                    value[slots[p]] = rows_.values(p).front();
+            mesh_.positions.emplace_back(value[0], value[1], value[2]);
+            if (normals)
+                mesh_.normals.emplace_back(Imath::V3d(value[3], value[4], value[5]));
+            if (uvs)
+                mesh_.uvs.emplace_back(Vec2(value[6], value[7]));
+        }
+    }
+
+    void read_faces(const Element& element) {
+        std::size_t list = unread;
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
+            if (is_corner_list(element.properties[p]) && list == unread)
+                list = p;
+            else
+                note_unread(element, element.properties[p]);
+        }
+        for (std::size_t row = 0; row < element.count; ++row) {
+            rows_.next(element, row);
+            const Place place{&element, rows_.place(row)};
+            if (is_strips(element))
+                add_strips(rows_.values(list), place);
+            else if (rows_.values(list).size() < 3)
+                throw Error(fmt::format("{}: a face has {} corners; expected at least 3",
+                                        in_words(place), rows_.values(list).size()));
+            else
+                add_face(rows_.values(list), place);
+        }
+    }
+
+    // Strips parted by -1. Every corner after the second makes a triangle with the two before it;
+    // every second one turns the other way round.
+    void add_strips(std::span<const double> strips, const Place& place) {
+        std::size_t first = 0;
+        for (std::size_t i = 0; i < strips.size(); ++i) {
+            if (strips[i] == -1) {
+                first = i + 1;
+                continue;
+            }
+            if (i < first + 2)
+                continue;
+            const bool even = (i - first) % 2 == 0;
+            const std::array<double, 3> triangle{strips[even ? i - 2 : i - 1],
+                                                 strips[even ? i - 1 : i - 2], strips[i]};
+            // A corner is repeated to turn the strip or to go to another place.
+            if (triangle[0] != triangle[1] && triangle[1] != triangle[2] &&
+                triangle[2] != triangle[0])
+                add_face(triangle, place);
+        }
+    }
+
+    // Vertices may follow later in the file, so that indices are checked at its end.
+    void add_face(std::span<const double> corners, const Place& place) {
+        faces_.push_back({corners_.size(), corners.size(), place});
+        corners_.insert(corners_.end(), corners.begin(), corners.end());
+    }
+
+    void add_triangles() {
+        std::vector<Place> crossing;
+        std::vector<std::uint32_t> vertices;
+        for (const Face& face : faces_) {
+            vertices.clear();
+            for (const double index : std::span(corners_).subspan(face.first, face.count)) {
+                if (!(index >= 0 && index < double(mesh_.positions.size())) ||
+                    index != std::floor(index))
+                    throw Error(fmt::format("{}: a face names vertex {} of {}",
+                                            in_words(face.place), index, mesh_.positions.size()));
+                vertices.push_back(static_cast<std::uint32_t>(index));
+            }
+            if (append_face(mesh_, vertices))
+                crossing.push_back(face.place);
+        }
+        if (!crossing.empty())
+            mesh_.warnings.push_back(
+                fmt::format("{} of its faces cross themselves, the first in {}", crossing.size(),
+                            in_words(crossing.front())));
+    }
+
+    void skip(const Element& element) {
+        if (element.count > 0)
+            unread_.push_back(
+                fmt::format("{} rows of element {}", element.count, in_quotes(element.name)));
+        for (std::size_t row = 0; row < element.count && !element.properties.empty(); ++row)
+            rows_.next(element, row);
+    }
+
+    void note_unread(const Element& element, const Property& property) {
+        unread_.push_back(property.name + " of " + element.name);
+    }
+
+    const PlyHeader& header_;
+    PlyRows rows_;
+    FileMesh mesh_;
+    std::vector<Face> faces_;
+    std::vector<double> corners_; // of all faces: indices of vertices
+    std::vector<std::string> unread_;
 };
-
-// The index of a vertex property among those that are kept; -1: ignored.
-int vertex_slot(const std::string& name) {
-    static const std::pair<const char*, int> slots[] = {
-        {"x", 0}, {"y", 1}, {"z", 2}, {"nx", 3}, {"ny", 4},        {"nz", 5},
-        {"u", 6}, {"v", 7}, {"s", 6}, {"t", 7},  {"texture_u", 6}, {"texture_v", 7}};
-    for (const auto& [known, slot] : slots)
-        if (name == known)
-            return slot;
-    return -1;
-}
-
-std::size_t list_length(Reader& reader, Scalar type) {
-    const double count = reader.number(type);
-    // Every item takes at least one byte in all encodings.
-    if (!(count >= 0 && count == std::floor(count)) || count > double(reader.remaining()))
-        throw Error("it has a list of an impossible length");
-    return static_cast<std::size_t>(count);
-}
-
-void read_vertices(Reader& reader, const Element& element, FileMesh& mesh) {
-    std::array<bool, 8> has{};
-    for (const Property& property : element.properties)
-        if (const int slot = vertex_slot(property.name); slot >= 0 && !property.count)
-            has[std::size_t(slot)] = true;
-    if (!has[0] || !has[1] || !has[2])
-        throw Error("its vertices have no x, y, z");
-    for (std::size_t i = 0; i < element.count; ++i) {
-        std::array<double, 8> value{};
-        for (const Property& property : element.properties) {
-            const std::size_t count = property.count ? list_length(reader, *property.count) : 1;
-            for (std::size_t k = 0; k < count; ++k) {
-                const double number = reader.number(property.type);
-                if (const int slot = vertex_slot(property.name); slot >= 0 && !property.count)
-                    value[std::size_t(slot)] = number;
-            }
-        }
-        mesh.positions.emplace_back(value[0], value[1], value[2]);
-        if (has[3] && has[4] && has[5])
-            mesh.normals.emplace_back(Imath::V3d(value[3], value[4], value[5]));
-        if (has[6] && has[7])
-            mesh.uvs.emplace_back(Vec2(value[6], value[7]));
-    }
-}
-
-void read_faces(Reader& reader, const Element& element, FileMesh& mesh) {
-    std::vector<std::uint32_t> corners;
-    for (std::size_t i = 0; i < element.count; ++i)
-        for (const Property& property : element.properties) {
-            const bool is_face = property.count && (property.name == "vertex_indices" ||
-                                                    property.name == "vertex_index");
-            const std::size_t count = property.count ? list_length(reader, *property.count) : 1;
-            corners.clear();
-            for (std::size_t k = 0; k < count; ++k) {
-                const double index = reader.number(property.type);
-                if (!is_face)
-                    continue;
-                if (!(index >= 0 && index < 4294967295.0))
-                    throw Error("face " + std::to_string(i) + " has an index out of range");
-                corners.push_back(static_cast<std::uint32_t>(index));
-            }
-            for (std::size_t k = 2; k < corners.size(); ++k)
-                mesh.triangles.push_back({corners[0], corners[k - 1], corners[k]});
-        }
-}
-
-void skip(Reader& reader, const Element& element) {
-    if (element.properties.empty())
-        return;
-    for (std::size_t i = 0; i < element.count; ++i)
-        for (const Property& property : element.properties) {
-            const std::size_t count = property.count ? list_length(reader, *property.count) : 1;
-            for (std::size_t k = 0; k < count; ++k)
-                reader.number(property.type);
-        }
-}
 
 } // namespace
 
 FileMesh read_ply(std::string_view bytes) {
-    if (!bytes.starts_with("ply"))
-        throw Error("it is not a PLY file");
-    const Header header = parse_header(bytes);
-    Reader reader(bytes.substr(header.size), header.encoding);
-    FileMesh mesh;
-    for (const Element& element : header.elements) {
-        if (element.name == "vertex")
-            read_vertices(reader, element, mesh);
-        else if (element.name == "face" && !element.properties.empty())
-            read_faces(reader, element, mesh);
-        else
-            skip(reader, element);
-    }
-    return mesh;
+    const PlyHeader header = parse_ply_header(bytes);
+    return Reader(header).read();
 }
 
 } // namespace scree

@@ -13,6 +13,16 @@ namespace {
 // Points per block: enough to keep a device busy, about 25 MB.
 constexpr std::size_t block_size = std::size_t{1} << 18;
 
+/// From units of the object to metres of the world.
+void take_to_metres(ShadingPoint& point, const Vec3& stretch) {
+    const float footprint = point.across.length();
+    point.position *= stretch;
+    point.across *= stretch;
+    point.along *= stretch;
+    if (footprint > 0)
+        point.footprint *= point.across.length() / footprint;
+}
+
 } // namespace
 
 std::vector<std::string> channel_names(TextureChannel channel) {
@@ -53,6 +63,8 @@ void TextureSource::evaluate(std::size_t count,
         parallel_for(size, 256, [&](std::size_t i) {
             points[i] = place(first + i);
             points[i].random = random;
+            if (!procedural->scales_with_object())
+                take_to_metres(points[i], stretch);
         });
         procedural->bake({points.data(), size}, {samples.data(), size}, device);
         parallel_for(size, 256, [&](std::size_t i) {

@@ -27,6 +27,7 @@ struct TextureSource {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Procedural> procedural;
     float random = 0;                       // of the instance
+    Vec3 stretch{1.0F, 1.0F, 1.0F};         // by the instance, of the object's axes
     float roughness = ShadingSample::unset; // of the material, where the procedural gives none
     Device* device = nullptr;               // null: the procedural runs on the host
 

@@ -35,13 +35,13 @@ std::vector<Image> volume_images(const TextureSource& source, const TextureVolum
 }
 
 std::unique_ptr<VdbFile> volume_file(const TextureSource& source, const TextureVolume& volume,
-                                     const Matrix& world_from_object, const Context& context) {
+                                     const WideMatrix& world_from_object, const Context& context) {
     Imath::M44d object_from_index;
     object_from_index.setScale(volume.grid.side);
     object_from_index[3][0] = volume.grid.centre(0, 0, 0).x;
     object_from_index[3][1] = volume.grid.centre(0, 0, 0).y;
     object_from_index[3][2] = volume.grid.centre(0, 0, 0).z;
-    auto file = std::make_unique<VdbFile>(object_from_index * Imath::M44d(world_from_object));
+    auto file = std::make_unique<VdbFile>(object_from_index * world_from_object);
     const SliceStack stack = slices_of(volume.grid, 2);
     const HeldPixels held = held_pixels(volume, stack);
     Context of_slice = context;

@@ -25,6 +25,6 @@ std::vector<Image> volume_images(const TextureSource& source, const TextureVolum
 
 /// An OpenVDB file with the grids `density` (ShadingSample::value) and `color`, in world space.
 std::unique_ptr<VdbFile> volume_file(const TextureSource& source, const TextureVolume& volume,
-                                     const Matrix& world_from_object, const Context& context);
+                                     const WideMatrix& world_from_object, const Context& context);
 
 } // namespace scree

@@ -31,7 +31,7 @@ Json rings_json(const Region& region) {
 }
 
 // Three rows of four for column vectors, the usual convention: the transpose of Imath's matrix.
-Json matrix_json(const Matrix& m) {
+Json matrix_json(const WideMatrix& m) {
     Json numbers = Json::array();
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column)
@@ -47,11 +47,13 @@ Json prototype_json(const Prototype& prototype) {
         out["triangles"] = prototype.mesh() != nullptr ? prototype.mesh()->triangles.size() : 0;
     if (prototype.region)
         out["region"] = rings_json(*prototype.region);
+    if (prototype.outline)
+        out["outline"] = rings_json(*prototype.outline);
     return out;
 }
 
 Json instance_json(const Instance& instance) {
-    const Matrix& m = instance.world_from_object;
+    const WideMatrix& m = instance.world_from_object;
     return {{"prototype", instance.prototype},
             {"position", {m[3][0], m[3][1], m[3][2]}},
             {"angle", degrees(instance.angle)},
@@ -65,7 +67,11 @@ Json aggregate_json(const Aggregate& aggregate) {
     for (const auto& [name, value] : aggregate.facts)
         if (!is_time(name))
             facts[name] = number_json(value);
-    Json out{{"generator", aggregate.generator}, {"seed", aggregate.seed}, {"facts", facts}};
+    Json out{{"generator", aggregate.generator}};
+    if (!aggregate.name.empty())
+        out["name"] = aggregate.name;
+    out["seed"] = aggregate.seed;
+    out["facts"] = facts;
     if (aggregate.domain)
         out["domain"] = {{"rings", rings_json(*aggregate.domain)}, {"torus", aggregate.torus}};
     out["prototypes"] = Json::array();

@@ -47,10 +47,10 @@ std::string hex_color(const Color& color) {
 }
 
 // matrix(a, b, c, d, e, f) of SVG takes (x, y) to (a x + c y + e, b x + d y + f).
-std::string svg_matrix(const Matrix& m, const Vec2& shift) {
-    return fmt::format("matrix({:.9g} {:.9g} {:.9g} {:.9g} {:.9g} {:.9g})", m[0][0], m[0][2],
-                       m[2][0], m[2][2], (double(m[3][0]) + shift.x) * mm_per_metre,
-                       (double(m[3][2]) + shift.y) * mm_per_metre);
+std::string svg_matrix(const WideMatrix& m, const Vec2& shift) {
+    return fmt::format("matrix({:.12g} {:.12g} {:.12g} {:.12g} {:.12g} {:.12g})", m[0][0], m[0][2],
+                       m[2][0], m[2][2], (m[3][0] + shift.x) * mm_per_metre,
+                       (m[3][2] + shift.y) * mm_per_metre);
 }
 
 // An SVG element of the picture, whose box is in millimetres: a drawing is embedded as it is,
@@ -80,13 +80,34 @@ void write_prototype(std::string& out, const Prototype& prototype, const std::st
         fmt::format_to(to,
                        "<path id=\"{}\" fill-rule=\"evenodd\" d=\"{}\">"
                        "<title>{}</title></path>\n",
-                       id, path_data(*prototype.region), name);
+                       id, path_data(seen_region(prototype)), name);
+    if (has_margin(prototype))
+        fmt::format_to(to, "<path id=\"{}margin\" d=\"{}\"/>\n", id, path_data(*prototype.region));
 }
 
 void write_background(std::string& out, const Aggregate& aggregate, std::size_t number) {
     const std::string id = fmt::format("a{}background", number);
     fmt::format_to(std::back_inserter(out), "<g id=\"{}\">{}</g>\n", id,
                    picture_element(*aggregate.background, bounds(*aggregate.domain), id + "-", id));
+}
+
+// The exclusive regions, which hold shapes with their margins, as thin lines above them: a group
+// of its own, to be hidden or deleted in a drawing program.
+void write_margins(std::string& out, const Aggregate& aggregate, std::size_t number) {
+    auto to = std::back_inserter(out);
+    if (std::none_of(aggregate.prototypes.begin(), aggregate.prototypes.end(), has_margin))
+        return;
+    out += "<g class=\"margins\" fill=\"none\" stroke=\"#9a9aa0\" stroke-width=\"0.75\">\n";
+    for (const Instance& instance : aggregate.instances)
+        for (const Vec2& shift : picture_shifts(aggregate))
+            if (has_margin(aggregate.prototypes[instance.prototype]) &&
+                is_seen(aggregate, instance, shift))
+                fmt::format_to(to,
+                               "<use xlink:href=\"#a{}p{}margin\" transform=\"{}\" "
+                               "vector-effect=\"non-scaling-stroke\"/>\n",
+                               number, instance.prototype,
+                               svg_matrix(instance.world_from_object, shift));
+    out += "</g>\n";
 }
 
 void write_elements(std::string& out, const Aggregate& aggregate, std::size_t number,
@@ -109,7 +130,7 @@ void write_aggregate(std::string& out, const Aggregate& aggregate, std::size_t n
                      const ElementColor& color) {
     auto to = std::back_inserter(out);
     fmt::format_to(to, "<g id=\"aggregate{}\">\n<title>{}</title>\n<defs>\n", number,
-                   escaped(aggregate.generator));
+                   escaped(title(aggregate)));
     for (std::size_t p = 0; p < aggregate.prototypes.size(); ++p)
         write_prototype(out, aggregate.prototypes[p], fmt::format("a{}p{}", number, p));
     const bool clipped = aggregate.domain && (aggregate.torus || aggregate.texture);
@@ -133,6 +154,7 @@ void write_aggregate(std::string& out, const Aggregate& aggregate, std::size_t n
         write_background(out, aggregate, number);
     out += clipped ? fmt::format("<g clip-path=\"url(#a{}clip)\">\n", number) : "<g>\n";
     write_elements(out, aggregate, number, color);
+    write_margins(out, aggregate, number);
     out += "</g>\n";
     if (outlined)
         fmt::format_to(to,

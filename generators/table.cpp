@@ -8,8 +8,8 @@
 
 namespace scree {
 
-Registry<Bake> generator_table() {
-    Registry<Bake> table("generator");
+Registry<Generator> generator_table() {
+    Registry<Generator> table("generator");
     table.add(layout_plugin());
     table.add(elements_plugin());
     table.add(leather_plugin());

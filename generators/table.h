@@ -5,6 +5,6 @@
 
 namespace scree {
 
-Registry<Bake> generator_table(); // generator.layout, ...
+Registry<Generator> generator_table(); // generator.layout, ...
 
 } // namespace scree

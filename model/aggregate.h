@@ -21,10 +21,11 @@ using Shape = std::variant<std::shared_ptr<const Mesh>, std::shared_ptr<const St
 /// One component, shared by its instances.
 struct Prototype {
     std::string name{};
-    Shape shape{};                              // in object space [m]
-    std::shared_ptr<const Region> region{};     // exclusive region, if the generator has one
-    std::shared_ptr<const Material> material{}; // null: grey matte
+    Shape shape{};                            // in object space [m]
+    std::shared_ptr<const Region> region{};   // exclusive region, if the generator has one
+    Materials materials{};                    // one, or one for each part of the mesh
     std::shared_ptr<const Picture> picture{}; // set when it is a flat picture: its view from above
+    std::shared_ptr<const Region> outline{};  // its shape from above where that is not the region
 
     /// Null when the shape is of another kind, or there is none.
     const Mesh* mesh() const {
@@ -40,8 +41,9 @@ struct Prototype {
 /// One element of an aggregate.
 struct Instance {
     std::uint32_t prototype = 0;
-    // Rounded to float; a generator that guarantees no overlap allows for the rounding error.
-    Matrix world_from_object;
+    // The renderer rounds it to float, relative to the camera; a generator that guarantees no
+    // overlap allows for the rounding error.
+    WideMatrix world_from_object;
     float random = 0; // uniform in [0, 1), drives per-instance colour
     double angle = 0; // [rad] as chosen by the generator; 0 where it has no meaning
     double scale = 1;
@@ -54,6 +56,7 @@ using Facts = std::vector<std::pair<std::string, double>>;
 /// supports only one).
 struct Aggregate {
     std::string generator; // registry name, "object" for a single object
+    std::string name{};    // given in the script; may be empty
     Location where{};      // of its constructor in the script
     std::uint64_t seed = 0;
     std::vector<Prototype> prototypes;
@@ -65,5 +68,11 @@ struct Aggregate {
     bool texture = false; // drawn as exactly the domain's bounding box, without paper or outlines
     Facts facts;
 };
+
+/// How an aggregate is called in messages: `layout`, or `layout "sweets"` when it has a name.
+inline std::string title(const Aggregate& aggregate) {
+    return aggregate.name.empty() ? aggregate.generator
+                                  : aggregate.generator + " \"" + aggregate.name + '"';
+}
 
 } // namespace scree

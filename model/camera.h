@@ -7,8 +7,8 @@ namespace scree {
 
 /// A thin-lens perspective camera; with aperture 0 a pinhole.
 struct Camera {
-    Vec3 from{0.0F, 1.0F, 3.0F}; // eye [m]
-    Vec3 at{0.0F, 0.0F, 0.0F};   // looked at [m]
+    WideVec3 from{0, 1, 3}; // eye [m]
+    WideVec3 at{0, 0, 0};   // looked at [m]
     Vec3 up{0.0F, 1.0F, 0.0F};
     float fov = 0.61F;  // full vertical angle of view [rad]
     float aperture = 0; // diameter of the lens [m]

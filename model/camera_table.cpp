@@ -11,12 +11,12 @@ Plugin<MakeCamera> perspective_plugin() {
     return {
         "perspective",
         "A pinhole or thin-lens camera.",
-        {{.name = "from", .type = ParamType::vector3, .doc = "Position of the eye.", .unit = "m"},
+        {{.name = "from", .type = ParamType::point3, .doc = "Position of the eye.", .unit = "m"},
          {.name = "at",
-          .type = ParamType::vector3,
+          .type = ParamType::point3,
           .doc = "Point that it looks at.",
           .unit = "m",
-          .fallback = Vec3(0.0F, 0.0F, 0.0F)},
+          .fallback = WideVec3(0)},
          {.name = "up",
           .type = ParamType::vector3,
           .doc = "Direction that is up in the picture.",
@@ -44,13 +44,13 @@ Plugin<MakeCamera> perspective_plugin() {
           .max = 1e6}},
         [](const Params& params) -> Camera {
             Camera camera;
-            camera.from = params.vector3("from");
-            camera.at = params.vector3("at");
+            camera.from = params.point3("from");
+            camera.at = params.point3("at");
             camera.up = params.vector3("up");
             camera.fov = float_number(params, "fov");
             camera.aperture = float_number(params, "aperture");
             camera.focus = params.has("focus") ? float_number(params, "focus") : 0.0F;
-            const Vec3 view = camera.at - camera.from;
+            const Vec3 view(camera.at - camera.from);
             if (!(is_finite(view) && view.length() > 0))
                 throw params.error("at", "must differ from `from`");
             if (!(view.normalized().cross(camera.up.normalized()).length() > 1e-6F))

@@ -5,10 +5,16 @@
 #include "core/registry.h"
 #include "model/aggregate.h"
 
+#include <functional>
+
 namespace scree {
 
-/// A generator bakes an aggregate from parameters that were checked against its specs. It throws
-/// `Params::error` for what the specs cannot express, such as a region larger than the domain.
-using Bake = Aggregate(const Params& params, const Context& context);
+/// Makes an aggregate; the same one every time.
+using Bake = std::function<Aggregate(const Context& context)>;
+
+/// What a generator does with its parameters, which were checked against its specs: it refuses by
+/// `Params::error` what the specs cannot express, such as a component larger than the domain, and
+/// leaves the work to the bake that it returns. So `scree check` is fast and finds what it can.
+using Generator = Bake(const Params& params);
 
 } // namespace scree

@@ -30,7 +30,7 @@ struct Sun {
 
 /// A rectangle that emits on one side, that of cross(edge_u, edge_v).
 struct AreaLight {
-    Vec3 centre{0.0F, 0.0F, 0.0F};
+    WideVec3 centre{0, 0, 0};
     Vec3 edge_u{1.0F, 0.0F, 0.0F}; // full sides [m], perpendicular to each other
     Vec3 edge_v{0.0F, 0.0F, 1.0F};
     Color radiance{1.0F, 1.0F, 1.0F}; // [W/(m^2 sr)]

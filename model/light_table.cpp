@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/table.h"
 
+#include "core/image_params.h"
+#include "core/located.h"
 #include "model/table_tools.h"
 
 namespace scree {
@@ -18,54 +20,55 @@ Plugin<MakeLight> sky_plugin() {
         spec->fallback = {};
         spec->optional = true;
     }
-    return {"sky",
-            "Light from all directions: one colour, a vertical gradient, or an image.",
-            {color_spec("color", "Radiance in every direction."),
-             zenith,
-             horizon,
-             ground,
-             {.name = "image",
-              .type = ParamType::path,
-              .doc = "A latitude-longitude image (EXR, PNG or JPEG), multiplied by color; its top "
-                     "row is the zenith, its centre lies in direction -z.",
-              .optional = true},
-             {.name = "rotation",
-              .type = ParamType::number,
-              .doc = "Rotation about the y axis, counter-clockwise seen from above.",
-              .unit = "deg",
-              .fallback = 0.0,
-              .min = -360.0,
-              .max = 360.0},
-             strength_spec(1.0, "Factor on all radiances.", "")},
-            [](const Params& params) -> Light {
-                Sky sky;
-                const auto color = [&](const char* name, const Color& otherwise) {
-                    if (!params.has(name))
-                        return otherwise;
-                    check_color(params, name, params.color(name), max_radiance);
-                    return params.color(name);
-                };
-                const Color base = color("color", Color(1.0F, 1.0F, 1.0F));
-                sky.zenith = color("zenith", base);
-                sky.horizon = color("horizon", base);
-                sky.ground = color("ground", sky.horizon);
-                sky.rotation = float_number(params, "rotation");
-                sky.strength = float_number(params, "strength");
-                if (params.has("image")) {
-                    for (const char* name : {"zenith", "horizon", "ground"})
-                        if (params.has(name))
-                            throw params.error(name, "cannot be given together with image");
-                    try {
-                        sky.image = std::make_shared<Image>(read_image(params.text("image")));
-                    } catch (const Error& error) {
-                        throw params.error("image", error.diagnostics().front().message);
-                    }
-                    for (const float value : sky.image->pixels)
-                        if (!(value >= 0 && value < 1e30F))
-                            throw params.error("image", "holds negative or infinite radiance");
-                }
-                return sky;
-            }};
+    return {
+        "sky",
+        "Light from all directions: one colour, a vertical gradient, or an image.",
+        {color_spec("color", "Radiance in every direction."),
+         zenith,
+         horizon,
+         ground,
+         {.name = "image",
+          .type = ParamType::path,
+          .doc = "A latitude-longitude image (HDR, EXR, PNG or JPEG), multiplied by color; its top "
+                 "row is the zenith, its centre lies in direction -z.",
+          .optional = true},
+         layer_spec(),
+         {.name = "rotation",
+          .type = ParamType::number,
+          .doc = "Rotation about the y axis, counter-clockwise seen from above.",
+          .unit = "deg",
+          .fallback = 0.0,
+          .min = -360.0,
+          .max = 360.0},
+         strength_spec(1.0, "Factor on all radiances.", "")},
+        [](const Params& params) -> Light {
+            Sky sky;
+            const auto color = [&](const char* name, const Color& otherwise) {
+                if (!params.has(name))
+                    return otherwise;
+                check_color(params, name, params.color(name), max_radiance);
+                return params.color(name);
+            };
+            const Color base = color("color", Color(1.0F, 1.0F, 1.0F));
+            sky.zenith = color("zenith", base);
+            sky.horizon = color("horizon", base);
+            sky.ground = color("ground", sky.horizon);
+            sky.rotation = float_number(params, "rotation");
+            sky.strength = float_number(params, "strength");
+            if (params.has("image")) {
+                for (const char* name : {"zenith", "horizon", "ground"})
+                    if (params.has(name))
+                        throw params.error(name, "cannot be given together with image");
+                sky.image = located(params, "image", [&] {
+                    return std::make_shared<Image>(
+                        read_image(params.text("image"), image_options(params, "image")));
+                });
+                for (const float value : sky.image->pixels)
+                    if (value >= 1e30F)
+                        throw params.error("image", "holds a radiance of 1e30 or more");
+            }
+            return sky;
+        }};
 }
 
 Plugin<MakeLight> sun_plugin() {
@@ -99,15 +102,15 @@ Plugin<MakeLight> area_plugin() {
     return {"area",
             "A visible rectangle that emits light from its front.",
             {{.name = "position",
-              .type = ParamType::vector3,
+              .type = ParamType::point3,
               .doc = "Centre of the rectangle.",
               .unit = "m",
-              .fallback = Vec3(0.0F, 2.0F, 0.0F)},
+              .fallback = WideVec3(0, 2, 0)},
              {.name = "at",
-              .type = ParamType::vector3,
+              .type = ParamType::point3,
               .doc = "Point that its front faces.",
               .unit = "m",
-              .fallback = Vec3(0.0F, 0.0F, 0.0F)},
+              .fallback = WideVec3(0)},
              {.name = "size",
               .type = ParamType::vector2,
               .doc = "Its width and height.",
@@ -117,8 +120,8 @@ Plugin<MakeLight> area_plugin() {
              strength_spec(10.0, "Radiance of its front.", "W/(m^2 sr)")},
             [](const Params& params) -> Light {
                 AreaLight light;
-                light.centre = params.vector3("position");
-                const Vec3 normal = params.vector3("at") - light.centre;
+                light.centre = params.point3("position");
+                const Vec3 normal(params.point3("at") - light.centre);
                 if (!(is_finite(normal) && normal.length() > 0))
                     throw params.error("at", "must differ from position");
                 const Vec2& size = params.vector2("size");

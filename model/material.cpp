@@ -50,6 +50,10 @@ const Paint* paint_of(const Material& material) {
         material);
 }
 
+const Paint* paint_of(const Materials& materials) {
+    return materials.size() == 1 && materials.front() ? paint_of(*materials.front()) : nullptr;
+}
+
 bool uses_uv(const Material& material) {
     const Paint* paint = paint_of(material);
     return (paint != nullptr && asks_for_uv(*paint)) || is_oriented(material);

@@ -97,13 +97,24 @@ class CustomMaterial {
     virtual std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const = 0;
 };
 
+/// The range of an index of refraction relative to air.
+inline constexpr double least_ior = 1.01;
+inline constexpr double largest_ior = 3;
+
 /// Members of an alternative that others find by their names: `paint`, `roughness` (perceptual),
 /// and `static constexpr bool oriented` (as in CustomMaterial).
 using Material =
     std::variant<Matte, Plastic, Metal, Glass, Translucent, std::shared_ptr<const CustomMaterial>>;
 
+/// The materials of a shape: none, which is grey matte; one for all of it; or one for each part of
+/// its mesh, by Mesh::parts. A null pointer is grey matte.
+using Materials = std::vector<std::shared_ptr<const Material>>;
+
 /// The material's paint; null when it has none, such as glass.
 const Paint* paint_of(const Material& material);
+
+/// That of a shape's only material; null when there is another number of materials.
+const Paint* paint_of(const Materials& materials);
 
 /// Whether its look depends on a surface's UVs or tangent, which hits then carry.
 bool uses_uv(const Material& material);

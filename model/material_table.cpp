@@ -35,8 +35,8 @@ ParamSpec ior_spec() {
             .type = ParamType::number,
             .doc = "Index of refraction relative to air.",
             .fallback = 1.5,
-            .min = 1.01,
-            .max = 3.0};
+            .min = least_ior,
+            .max = largest_ior};
 }
 
 Paint make_paint(const Params& params) {

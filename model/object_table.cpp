@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/located.h"
 #include "core/random.h"
+#include "model/file_material.h"
 #include "model/table.h"
 
 namespace scree {
 
 namespace {
 
+ParamSpec name_spec() {
+    return {.name = "name",
+            .type = ParamType::text,
+            .doc = "What messages, statistics and reports call it; --object takes it too.",
+            .fallback = std::string()};
+}
+
 std::vector<ParamSpec> object_params() {
     return {
         {.name = "shape", .type = ParamType::object, .families = {"mesh"}, .doc = "Its mesh."},
-        material_spec("Its material"),
+        shape_material_spec("Its material"),
         {.name = "position",
-         .type = ParamType::vector3,
+         .type = ParamType::point3,
          .doc = "Position of the mesh's origin.",
          .unit = "m",
-         .fallback = Vec3(0.0F)},
+         .fallback = WideVec3(0)},
         {.name = "rotation",
          .type = ParamType::vector3,
          .doc = "Rotation about the x axis, then y, then z, each through the mesh's origin.",
@@ -29,30 +37,32 @@ std::vector<ParamSpec> object_params() {
          .max = 1e6,
          .above_min = true,
          .uniform = true},
+        name_spec(),
     };
 }
 
 // Matrices multiply row vectors, so the leftmost is applied first.
-Matrix object_matrix(const Params& params) {
+WideMatrix object_matrix(const Params& params) {
     const Vec3& rotation = params.vector3("rotation");
     Matrix scale;
     Matrix about_x;
     Matrix about_y;
     Matrix about_z;
-    Matrix move;
     scale.setScale(params.vector3("scale"));
     about_x.setAxisAngle(Vec3(1, 0, 0), rotation.x);
     about_y.setAxisAngle(Vec3(0, 1, 0), rotation.y);
     about_z.setAxisAngle(Vec3(0, 0, 1), rotation.z);
-    move.setTranslation(params.vector3("position"));
-    return scale * about_x * about_y * about_z * move;
+    WideMatrix move;
+    move.setTranslation(params.point3("position"));
+    return WideMatrix(scale * about_x * about_y * about_z) * move;
 }
 
 SceneItem object_item(const Params& params) {
     Aggregate object;
     object.generator = "object";
+    object.name = params.text("name");
     const auto mesh = params.object<Mesh>("shape");
-    object.prototypes.push_back({mesh->name, mesh, nullptr, params.object<Material>("material")});
+    object.prototypes.push_back({mesh->name, mesh, nullptr, materials_of(params, mesh.get())});
     Instance instance;
     instance.world_from_object = object_matrix(params);
     object.instances.push_back(instance);
@@ -63,7 +73,7 @@ SceneItem object_item(const Params& params) {
                     Random(0, Purpose::instance_attribute, number).uniform_float();
                 return out;
             },
-            params.where()};
+            params.where(), params.text("name")};
 }
 
 } // namespace
@@ -74,17 +84,25 @@ Registry<MakeItem> object_table() {
     return table;
 }
 
-Registry<MakeItem> generator_items(const Registry<Bake>& table) {
+Registry<MakeItem> generator_items(const Registry<Generator>& table) {
     Registry<MakeItem> items(table.family());
-    for (const Plugin<Bake>& plugin : table.plugins())
-        items.add({plugin.name, plugin.doc, plugin.params,
-                   [name = plugin.name, bake = plugin.make](const Params& params) -> SceneItem {
-                       return {name,
-                               [bake, params](const Context& context, std::uint64_t) {
-                                   return located(params, [&] { return bake(params, context); });
-                               },
-                               params.where()};
-                   }});
+    for (const Plugin<Generator>& plugin : table.plugins()) {
+        std::vector<ParamSpec> specs = plugin.params;
+        specs.push_back(name_spec());
+        items.add(
+            {plugin.name, plugin.doc, std::move(specs),
+             [kind = plugin.name, make = plugin.make](const Params& params) -> SceneItem {
+                 const std::string& name = params.text("name");
+                 const ParamPlace place{params.where(), params.path()};
+                 return {kind,
+                         [bake = make(params), place, name](const Context& context, std::uint64_t) {
+                             Aggregate made = located(place, [&] { return bake(context); });
+                             made.name = name;
+                             return made;
+                         },
+                         params.where(), name};
+             }});
+    }
     return items;
 }
 

@@ -2,10 +2,20 @@
 #include "model/procedural.h"
 
 #include "core/parallel.h"
+#include "core/params.h"
 
 #include <algorithm>
 
 namespace scree {
+
+ParamSpec scale_with_object_spec() {
+    return {.name = "scale_with_object",
+            .type = ParamType::boolean,
+            .doc =
+                "The texture grows and shrinks with its object; otherwise its lengths are metres "
+                "of the scene on every object.",
+            .fallback = false};
+}
 
 void Procedural::bake(std::span<const ShadingPoint> points, std::span<ShadingSample> samples,
                       Device* /*device*/) const {

@@ -10,7 +10,7 @@ namespace scree {
 
 /// A point at which a procedural is evaluated.
 struct ShadingPoint {
-    Vec3 position;       // in object space [m]
+    Vec3 position;       // in the object's frame [m]; see Procedural::scales_with_object
     float footprint = 0; // width of the pixel filter perpendicular to the view ray, likewise [m]
     Vec2f uv{0.0F, 0.0F};
     float uv_footprint = 0; // the footprint in UV; 0 where the mesh has no UVs
@@ -27,7 +27,7 @@ struct ShadingSample {
 
     Color color{0.0F, 0.0F, 0.0F};
     float height = 0;             // bump height [m]
-    Vec3 slope{0.0F, 0.0F, 0.0F}; // gradient of the height in object space
+    Vec3 slope{0.0F, 0.0F, 0.0F}; // gradient of the height by the position
     float roughness = unset;      // perceptual, in [0, 1]; unset: that of the material
     float value = 0;              // the scalar behind the colour, in [0, 1]: a mask, a density
 };
@@ -48,11 +48,20 @@ class Procedural {
     virtual void bake(std::span<const ShadingPoint> points, std::span<ShadingSample> samples,
                       Device* device) const;
 
+    /// Whether the texture grows and shrinks with its object: positions, slopes and heights are in
+    /// the object's own units. Otherwise they are metres of the world, in the object's frame, so
+    /// that the grain is as fine on a small copy as on a large one.
+    virtual bool scales_with_object() const { return false; }
+
     /// Whether it depends on the position alone, so that it can be sampled in slices and volumes.
     virtual bool solid() const { return false; }
 };
 
 class Params;
+struct ParamSpec;
+
+/// The parameter by which a script sets what `scales_with_object` answers: false by default.
+ParamSpec scale_with_object_spec();
 
 /// Makes a procedural from its checked parameters.
 using MakeProcedural = std::shared_ptr<const Procedural>(const Params& params);

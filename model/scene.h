@@ -5,6 +5,7 @@
 #include "core/context.h"
 #include "core/error.h"
 #include "core/image.h"
+#include "core/params.h"
 #include "model/aggregate.h"
 #include "model/camera.h"
 #include "model/film_settings.h"
@@ -36,13 +37,15 @@ struct SceneItem {
     /// `number` is the index of the item in the scene, so that equal objects get different random
     /// numbers.
     std::function<Aggregate(const Context& context, std::uint64_t number)> bake;
-    Location where{}; // of its constructor
+    Location where{};   // of its constructor
+    std::string name{}; // given in the script; may be empty
 };
 
 /// A scene whose items are not baked yet, so that it has no aggregates.
 struct SceneDraft {
     Scene scene;
     std::vector<std::shared_ptr<const SceneItem>> items;
+    std::shared_ptr<Warnings> warnings = std::make_shared<Warnings>(); // items add theirs
 };
 
 } // namespace scree

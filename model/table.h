@@ -24,7 +24,7 @@ Registry<MakeItem> object_table();       // object
 
 /// The generators of a table as items of a scene. Input errors that they throw are located at the
 /// constructor.
-Registry<MakeItem> generator_items(const Registry<Bake>& table);
+Registry<MakeItem> generator_items(const Registry<Generator>& table);
 
 /// The parameters of the record film = { ... }.
 std::vector<ParamSpec> film_params();

@@ -26,9 +26,11 @@ class Checker final : public Procedural {
   public:
     explicit Checker(const Params& params)
         : size_(params.number("size")), even_(reflectance(params, "color_a")),
-          odd_(reflectance(params, "color_b")) {}
+          odd_(reflectance(params, "color_b")),
+          scales_with_object_(params.flag("scale_with_object")) {}
 
     bool solid() const override { return true; }
+    bool scales_with_object() const override { return scales_with_object_; }
 
     void evaluate(std::span<const ShadingPoint> points,
                   std::span<ShadingSample> samples) const override {
@@ -49,6 +51,7 @@ class Checker final : public Procedural {
     double size_;
     Color even_;
     Color odd_;
+    bool scales_with_object_;
 };
 
 } // namespace
@@ -73,6 +76,7 @@ Plugin<MakeProcedural> checker_plugin() {
              .type = ParamType::color,
              .doc = "Colour of its neighbours.",
              .fallback = Color(0.3F, 0.3F, 0.3F)},
+            scale_with_object_spec(),
         },
         [](const Params& params) { return std::make_shared<Checker>(params); },
     };

@@ -26,6 +26,7 @@ class Ramp final : public Procedural {
     }
 
     bool solid() const override { return !varies_; }
+    bool scales_with_object() const override { return true; } // its ends are places of the object
 
     void evaluate(std::span<const ShadingPoint> points,
                   std::span<ShadingSample> samples) const override {

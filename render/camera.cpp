@@ -6,8 +6,17 @@
 
 namespace scree {
 
-CameraRays::CameraRays(const Camera& camera, int width, int height) : from_(camera.from) {
-    const Vec3 view = camera.at - camera.from;
+WideVec3 world_origin(const Camera& camera) {
+    constexpr double step = 16; // [m]; at half of it a float is exact to half a micrometre
+    WideVec3 origin;
+    for (int axis = 0; axis < 3; ++axis)
+        origin[axis] = step * std::round(camera.from[axis] / step);
+    return origin;
+}
+
+CameraRays::CameraRays(const Camera& camera, int width, int height, const WideVec3& origin)
+    : from_(camera.from - origin) {
+    const Vec3 view(camera.at - camera.from);
     if (!(is_finite(view) && view.length() > 0))
         throw Error("camera: `at` must differ from `from`");
     forward_ = view.normalized();

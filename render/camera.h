@@ -11,11 +11,16 @@ struct CameraRay {
     Vec3 direction; // unit length
 };
 
+/// An origin near the camera for its world: its eye to the nearest 16 m along each axis, so that
+/// it is the scene's own in a scene that lies about there.
+WideVec3 world_origin(const Camera& camera);
+
 /// The camera made ready for pictures of one size.
 class CameraRays {
   public:
-    /// Throws Error (input) when `from` and `at` coincide or `up` is parallel to the view.
-    CameraRays(const Camera& camera, int width, int height);
+    /// Rays are relative to `origin` (see World). Throws Error (input) when `from` and `at`
+    /// coincide or `up` is parallel to the view.
+    CameraRays(const Camera& camera, int width, int height, const WideVec3& origin = WideVec3(0));
 
     /// Ray through the raster point (x, y) in pixels, y downwards, (0, 0) the top left corner;
     /// `lens` is uniform in [0, 1)^2.

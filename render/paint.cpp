@@ -39,11 +39,13 @@ float reflectance(float value) { return std::clamp(value, 0.0F, 1.0F); }
 
 } // namespace
 
-ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprint) {
+ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprint,
+                           TextureUnit unit) {
     assert(hit.record != nullptr);
     const InstanceRecord& record = *hit.record;
+    const Vec3 stretch = unit == TextureUnit::world ? record.stretch() : Vec3(1.0F);
     ShadingPoint point;
-    point.position = hit.object_position;
+    point.position = hit.object_position * stretch;
     point.random = hit.random;
 
     const Vec3 level = hit.normal.cross(direction); // its length is the sine of the slant
@@ -51,9 +53,10 @@ ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprin
     // Seen straight from above all directions are equal, and the cross product has no digits.
     const Vec3 across = square > 1e-10F ? level * (1 / std::sqrt(square)) : Frame(hit.normal).x;
     const float cosine = std::max(least_cosine, std::abs(hit.normal.dot(direction)));
-    point.across = record.inverse_direction(across * footprint);
-    point.along = record.inverse_direction(across.cross(hit.normal) * (footprint / cosine));
-    point.footprint = footprint / record.scale;
+    point.across = record.inverse_direction(across * footprint) * stretch;
+    point.along =
+        record.inverse_direction(across.cross(hit.normal) * (footprint / cosine)) * stretch;
+    point.footprint = unit == TextureUnit::world ? footprint : footprint / record.scale;
     if (!record.similar) {
         straighten(point.across, point.along);
         point.footprint = std::sqrt(point.across.dot(point.across));
@@ -61,8 +64,15 @@ ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprin
     return point;
 }
 
-Vec3 bent_normal(const Hit& hit, const Vec3& slope) {
+Vec3 bent_normal(const Hit& hit, const Vec3& slope, TextureUnit unit_of_slope) {
     assert(hit.record != nullptr);
+    if (unit_of_slope == TextureUnit::world && !hit.record->similar) {
+        // Gradients transform by the inverse transpose: the cofactors over the determinant.
+        const float volume = hit.record->scale * hit.record->scale * hit.record->scale;
+        const Vec3 gradient = hit.record->normal(slope * hit.record->stretch()) / volume;
+        const Vec3& n = hit.shading_normal;
+        return unit(n - gradient + n * n.dot(gradient));
+    }
     const Vec3* rows = hit.record->rows;
     const Vec3& n = hit.shading_normal;
     const Vec3 normal = unit(Vec3(rows[0].dot(n), rows[1].dot(n), rows[2].dot(n)));
@@ -80,14 +90,14 @@ bool paint_plainly(const PaintQuery& query, Painted& painted) {
     return color.has_value();
 }
 
-Painted painted_as(const ShadingSample& sample, const Hit& hit) {
+Painted painted_as(const ShadingSample& sample, const Hit& hit, TextureUnit unit) {
     Painted painted;
     painted.color = {reflectance(sample.color.x), reflectance(sample.color.y),
                      reflectance(sample.color.z)};
     painted.roughness = sample.roughness;
     if (sample.slope != Vec3(0.0F, 0.0F, 0.0F)) {
         painted.bent = true;
-        painted.normal = bent_normal(hit, sample.slope);
+        painted.normal = bent_normal(hit, sample.slope, unit);
     }
     return painted;
 }
@@ -96,14 +106,18 @@ Painted painted_as(const ShadingSample& sample, const Hit& hit) {
 class Batch {
   public:
     explicit Batch(const Procedural& procedural)
-        : procedural_(procedural), solid_(procedural.solid()) {}
+        : procedural_(procedural), solid_(procedural.solid()),
+          unit_(procedural.scales_with_object() ? TextureUnit::object : TextureUnit::world) {}
 
     void add(const PaintQuery& query, Painted& painted) {
         ShadingPoint& point = points_[count_];
-        point = shading_point(*query.hit, query.direction, query.footprint);
+        point = shading_point(*query.hit, query.direction, query.footprint, unit_);
         if (!solid_) {
             point.uv = query.hit->uv;
-            point.uv_footprint = point.footprint * query.hit->uv_per_metre;
+            const float metres = unit_ == TextureUnit::world
+                                     ? point.footprint / query.hit->record->scale
+                                     : point.footprint;
+            point.uv_footprint = metres * query.hit->uv_per_metre;
         }
         hits_[count_] = query.hit;
         painted_[count_++] = &painted;
@@ -112,12 +126,13 @@ class Batch {
     void answer() {
         procedural_.evaluate({points_.data(), count_}, {samples_.data(), count_});
         for (std::size_t i = 0; i < count_; ++i)
-            *painted_[i] = painted_as(samples_[i], *hits_[i]);
+            *painted_[i] = painted_as(samples_[i], *hits_[i], unit_);
     }
 
   private:
     const Procedural& procedural_;
     bool solid_;
+    TextureUnit unit_;
     std::size_t count_ = 0;
     std::array<const Hit*, most_painted> hits_;
     std::array<Painted*, most_painted> painted_;

@@ -94,11 +94,13 @@ class Job {
     Job(const World& world, const Camera& camera, const FilmSettings& settings,
         const RenderOptions& options, const Context& context)
         : options_(options), context_(context), crop_(checked_crop(settings, options.crop)),
-          rays_(camera, settings.width, settings.height), filter_(settings.filter, settings.radius),
+          rays_(camera, settings.width, settings.height, world.origin()),
+          filter_(settings.filter, settings.radius),
           integrator_(world, settings.depth, settings.clamp, options.mis),
           samples_(options.samples > 0 ? options.samples : settings.samples),
           share_(sample_width(samples_, options)), spread_(rays_.pixel_spread() * share_),
-          film_(crop_.width, crop_.height), tiles_(cut(crop_.width, crop_.height)) {}
+          film_(crop_.width, crop_.height, world.origin()), tiles_(cut(crop_.width, crop_.height)) {
+    }
 
     RenderResult run();
 

@@ -11,6 +11,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The middles of bins from 0 up, what a curve is plotted over.
+std::vector<double> middles(double bin_width, std::size_t count) {
+    std::vector<double> out(count);
+    for (std::size_t k = 0; k < count; ++k)
+        out[k] = (double(k) + 0.5) * bin_width;
+    return out;
+}
+
 Json layout_json(const LayoutFigures& figures, const std::vector<std::string>& kinds) {
     Json out{{"seed", figures.seed}, {"count", figures.count}};
     out["components"] = Json::array();
@@ -34,8 +42,10 @@ Json distances_json(const Summary& summary, const Histogram& histogram) {
 }
 
 Json pairs_json(const AnalysisReport& report) {
-    Json out{{"bin_width", report.pair_correlation.bin_width},
-             {"g", report.pair_correlation.value}};
+    Json out{
+        {"bin_width", report.pair_correlation.bin_width},
+        {"r", middles(report.pair_correlation.bin_width, report.pair_correlation.value.size())},
+        {"g", report.pair_correlation.value}};
     out["components"] = Json::array();
     for (std::size_t i = 0; i < report.kind_names.size(); ++i)
         out["components"].push_back(
@@ -47,7 +57,8 @@ Json pairs_json(const AnalysisReport& report) {
 Json spectra_json(const AnalysisReport& report) {
     const RadialSpectrum& radial = report.radial;
     Json out{{"bin_width", radial.bin_width},
-             {"frequencies", radial.count},
+             {"f", middles(radial.bin_width, radial.power.size())},
+             {"counts", radial.count},
              {"power", radial.power},
              {"anisotropy_db", radial.anisotropy_db}};
     out["components"] = Json::array();
@@ -60,10 +71,12 @@ Json spectra_json(const AnalysisReport& report) {
 
 Json report_json(const NamedReport& named) {
     const AnalysisReport& report = named.report;
-    Json out{{"generator", named.generator},
-             {"domain_area", report.window_area},
-             {"torus", report.torus},
-             {"mean_spacing", report.spacing}};
+    Json out{{"generator", named.generator}};
+    if (!named.name.empty())
+        out["name"] = named.name;
+    out.update({{"domain_area", report.window_area},
+                {"torus", report.torus},
+                {"mean_spacing", report.spacing}});
     out["layouts"] = Json::array();
     for (const LayoutFigures& figures : report.layouts)
         out["layouts"].push_back(layout_json(figures, report.kind_names));

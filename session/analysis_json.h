@@ -8,9 +8,10 @@
 
 namespace scree {
 
-/// A report with the name of its generator.
+/// A report with its generator and the name that the script gives it.
 struct NamedReport {
     std::string generator;
+    std::string name;
     AnalysisReport report;
 };
 

@@ -72,7 +72,7 @@ void check_closed(std::span<const Aggregate> aggregates, bool skip, Watcher& wat
     std::vector<Diagnostic> problems;
     for (const OpenComponent& component : open_components(aggregates)) {
         const Aggregate& aggregate = aggregates[component.aggregate];
-        const std::string path = "generator." + aggregate.generator;
+        const std::string path = "generator." + title(aggregate);
         if (skip)
             watcher.say(fmt::format("left out {} of {}: {}",
                                     plural(component.instances, "instance"), path,

@@ -5,7 +5,8 @@ namespace scree {
 
 Rendered render_scene(Session& session, const Scene& scene, const RenderOptions& options) {
     session.stages().begin("build");
-    const World world(scene.aggregates, scene.lights, session.context("build"));
+    const World world(scene.aggregates, scene.lights, session.context("build"),
+                      world_origin(scene.camera.value()));
     session.stages().begin("render");
     RenderResult result =
         render(world, scene.camera.value(), scene.film, options, session.context("render"));

@@ -57,8 +57,11 @@ std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggr
     for (const Aggregate& aggregate : aggregates) {
         if (aggregate.generator == "object")
             continue;
-        root["generators"].push_back(
-            {{"generator", aggregate.generator}, {"facts", facts_json(aggregate.facts)}});
+        Json generator{{"generator", aggregate.generator}};
+        if (!aggregate.name.empty())
+            generator["name"] = aggregate.name;
+        generator["facts"] = facts_json(aggregate.facts);
+        root["generators"].push_back(std::move(generator));
     }
     if (render != nullptr) {
         const RenderStats& stats = render->stats;

@@ -12,8 +12,7 @@ namespace {
 
 // "layout: 224 elements, fill 0.430, 0.05 s"
 std::string describe(const Aggregate& aggregate) {
-    std::string out =
-        fmt::format("{}: {} elements", aggregate.generator, aggregate.instances.size());
+    std::string out = fmt::format("{}: {} elements", title(aggregate), aggregate.instances.size());
     for (const auto& [name, value] : aggregate.facts) {
         if (name == "fill")
             out += fmt::format(", fill {:.3f}", value);
@@ -45,9 +44,21 @@ DescriptionNode Session::description() const {
 
 SceneDraft Session::load() {
     stages_.begin("parse");
-    SceneDraft draft = resolve(description(), options_.path, catalog_);
+    SceneDraft draft = check(description());
     stages_.end();
     return draft;
+}
+
+SceneDraft Session::check(const DescriptionNode& root) {
+    SceneDraft draft = resolve(root, options_.path, catalog_);
+    say(*draft.warnings);
+    return draft;
+}
+
+void Session::say(Warnings& warnings) {
+    for (const Diagnostic& warning : warnings)
+        watcher_.say("warning: " + warning.text());
+    warnings.clear();
 }
 
 Device* Session::device() {
@@ -68,6 +79,7 @@ Scene Session::bake(SceneDraft draft) {
     for (const std::shared_ptr<const SceneItem>& item : draft.items) {
         scene.aggregates.push_back(item->bake(context(item->kind), scene.aggregates.size()));
         scene.aggregates.back().where = item->where;
+        say(*draft.warnings);
         if (item->kind != "object")
             watcher_.say(describe(scene.aggregates.back()));
     }

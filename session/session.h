@@ -38,8 +38,11 @@ class Session {
     /// Reads the scene.
     DescriptionNode description() const;
 
-    /// Reads and checks the scene (stage "parse").
+    /// Reads and checks the scene (stage "parse"). Tells the watcher the warnings.
     SceneDraft load();
+
+    /// Checks a scene that was read. Tells the watcher the warnings.
+    SceneDraft check(const DescriptionNode& root);
 
     /// Bakes the items (stage "generate") and reports each generator to the watcher.
     Scene bake(SceneDraft draft);
@@ -56,6 +59,8 @@ class Session {
     Watcher& watcher() { return watcher_; }
 
   private:
+    void say(Warnings& warnings);
+
     static Watcher& nobody();
     static const Cancel& never();
 

@@ -9,9 +9,11 @@ namespace scree {
 /// A mesh of the scene with the procedural that `scree texture` bakes.
 struct TextureSubject {
     TextureSource source;
-    Matrix world_from_object; // identity when it has several instances
-    Location where;           // of the object or generator in the script
-    std::string kind;         // "object", "generator.layout"
+    WideMatrix world_from_object; // identity when it has several instances
+    Location where;               // of the object or generator in the script
+    std::string kind;             // "object", "generator.layout"
+    bool is_object = false;       // and no generator
+    bool scales_differ = false;   // of its instances: the texture is that of the first
 
     /// Errors about the mesh or the material, located in the script.
     Error mesh_error(const std::string& message, const std::string& hint = {}) const;

@@ -34,7 +34,7 @@ Prototype prototype_of(const ElementComponent& component, std::size_t index) {
             flat_mesh(*component.flat_shape, fmt::format("component_{}", index)));
     }
     prototype.name = prototype.mesh()->name;
-    prototype.material = component.material;
+    prototype.materials = component.materials;
     return prototype;
 }
 

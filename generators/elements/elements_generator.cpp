@@ -24,6 +24,7 @@ namespace scree {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
 
 /// What multiplies the distances: the elements' scale and their spacing.
 std::shared_ptr<const Field> distance_scale(const ElementsSettings& settings) {
@@ -125,23 +126,42 @@ std::shared_ptr<const Picture> background_of(const ElementsSettings& settings) {
     if (settings.background.empty())
         return nullptr;
     return located(settings.background_place, [&] {
-        Picture picture = read_picture(settings.background);
+        Picture picture =
+            read_picture(settings.background, drawing_pixels, settings.background_options);
         picture.box = bounds(*settings.domain);
         return std::make_shared<const Picture>(std::move(picture));
     });
 }
 
-Aggregate bake_elements(const Params& params, const Context& context) {
+/// What is known before anything is placed.
+struct PreparedElements {
+    explicit PreparedElements(const Params& params) : settings(elements_settings(params)) {
+        const auto start = Clock::now();
+        shapes = element_shapes(settings);
+        if (settings.surface != nullptr)
+            check_surface_settings(settings);
+        else
+            problem = problem_from(settings, shapes);
+        preparing = Clock::now() - start;
+    }
+
+    ElementsSettings settings;
+    std::vector<ElementShape> shapes;
+    std::optional<PoissonDiskProblem> problem; // none on a surface
+    Seconds preparing{};
+};
+
+Aggregate bake_elements(const PreparedElements& prepared, const Context& context) {
     const auto start = Clock::now();
-    const ElementsSettings settings = elements_settings(params);
-    const std::vector<ElementShape> shapes = element_shapes(settings);
-    if (settings.surface != nullptr)
+    const ElementsSettings& settings = prepared.settings;
+    const std::vector<ElementShape>& shapes = prepared.shapes;
+    if (!prepared.problem)
         return bake_on_surface(settings, shapes, context);
-    const PoissonDiskProblem problem = problem_from(settings, shapes);
+    const PoissonDiskProblem& problem = *prepared.problem;
     const auto sampling_start = Clock::now();
     PoissonDiskSet set = located(problem.torus ? settings.torus_place : settings.components_place,
                                  [&] { return sample_poisson_disks(problem, context); });
-    const std::chrono::duration<double> sampling = Clock::now() - sampling_start;
+    const Seconds sampling = Clock::now() - sampling_start;
     if (settings.spacing != nullptr)
         for (DiskSample& sample : set.samples)
             sample.scale = settings.scale ? settings.scale->at(sample.position) : 1;
@@ -163,18 +183,21 @@ Aggregate bake_elements(const Params& params, const Context& context) {
     aggregate.texture = true;
     aggregate.facts = facts_of(settings, shapes, set, components);
     aggregate.facts.emplace_back("sampling_seconds", sampling.count());
-    const std::chrono::duration<double> seconds = Clock::now() - start;
+    const Seconds seconds = prepared.preparing + (Clock::now() - start);
     aggregate.facts.emplace_back("seconds", seconds.count());
     return aggregate;
 }
 
 } // namespace
 
-Plugin<Bake> elements_plugin() {
+Plugin<Generator> elements_plugin() {
     return {"elements",
             "Discrete element textures: components evenly spread over a region, by maximal "
             "Poisson-disk sampling (Kita & Miyata 2012).",
-            elements_specs(), bake_elements};
+            elements_specs(), [](const Params& params) -> Bake {
+                return [prepared = std::make_shared<const PreparedElements>(params)](
+                           const Context& context) { return bake_elements(*prepared, context); };
+            }};
 }
 
 } // namespace scree

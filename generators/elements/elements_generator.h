@@ -7,6 +7,6 @@ namespace scree {
 
 /// generator.elements: discrete element textures, small pictures or meshes evenly spread over a
 /// region by Poisson-disk sampling (Kita & Miyata 2012).
-Plugin<Bake> elements_plugin();
+Plugin<Generator> elements_plugin();
 
 } // namespace scree

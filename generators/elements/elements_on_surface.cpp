@@ -13,21 +13,6 @@ namespace scree {
 
 namespace {
 
-void check_settings(const ElementsSettings& settings) {
-    const auto refuse = [](bool given, const ParamPlace& place) {
-        if (given)
-            throw place.error("lies on the ground, but the elements stand on a surface");
-    };
-    refuse(settings.direction != nullptr, settings.direction_place);
-    refuse(settings.scale != nullptr, settings.scale_place);
-    refuse(settings.spacing != nullptr, settings.spacing_place);
-    refuse(!settings.background.empty(), settings.background_place);
-    if (settings.torus)
-        throw settings.torus_place.error("is set, but a surface does not tile");
-    if (settings.relax > 0)
-        throw settings.relax_place.error("is set, but elements on a surface do not move");
-}
-
 // The component's centre goes to the sample, its y axis along the normal, and its x axis, at angle
 // 0, along the surface's level line.
 Matrix standing(const ElementShape& shape, const Vec3& normal, const Imath::V3d& position,
@@ -48,10 +33,24 @@ Matrix standing(const ElementShape& shape, const Vec3& normal, const Imath::V3d&
 
 } // namespace
 
+void check_surface_settings(const ElementsSettings& settings) {
+    const auto refuse = [](bool given, const ParamPlace& place) {
+        if (given)
+            throw place.error("lies on the ground, but the elements stand on a surface");
+    };
+    refuse(settings.direction != nullptr, settings.direction_place);
+    refuse(settings.scale != nullptr, settings.scale_place);
+    refuse(settings.spacing != nullptr, settings.spacing_place);
+    refuse(!settings.background.empty(), settings.background_place);
+    if (settings.torus)
+        throw settings.torus_place.error("is set, but a surface does not tile");
+    if (settings.relax > 0)
+        throw settings.relax_place.error("is set, but elements on a surface do not move");
+}
+
 Aggregate bake_on_surface(const ElementsSettings& settings, const std::vector<ElementShape>& shapes,
                           const Context& context) {
     const auto start = std::chrono::steady_clock::now();
-    check_settings(settings);
     const Mesh& mesh = *settings.surface;
     const std::vector<DiskClass> classes = disk_classes(settings, shapes);
     SurfaceDiskProblem problem{.mesh = &mesh, .distances = {}, .seed = settings.seed};
@@ -79,7 +78,7 @@ Aggregate bake_on_surface(const ElementsSettings& settings, const std::vector<El
         aggregate.instances[i] = {
             .prototype = components[i],
             .world_from_object =
-                standing(shape, smooth_normal(mesh, sample), sample.position, angle),
+                WideMatrix(standing(shape, smooth_normal(mesh, sample), sample.position, angle)),
             .random = Random(problem.seed, Purpose::instance_attribute, i).uniform_float(),
             .angle = angle,
             .scale = 1};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/elements/elements_settings.h"
 
+#include "core/image_params.h"
+
 namespace scree {
 
 namespace {
@@ -33,7 +35,7 @@ ElementComponent component_from(const Params& params, const Params& component) {
             .picture =
                 component.has("picture") ? std::optional(picture_shape(component)) : std::nullopt,
             .given_region = component.object<Region>("region"),
-            .material = component.object<Material>("material"),
+            .materials = materials_of(component, component.object<Mesh>("shape").get()),
             .weight = component.number("weight"),
             .length = optional_number(component, "length"),
             .width = optional_number(component, "width"),
@@ -74,6 +76,7 @@ ElementsSettings elements_settings(const Params& params) {
     settings.relax = static_cast<int>(params.integer("relax"));
     if (params.has("background"))
         settings.background = params.text("background");
+    settings.background_options = image_options(params, "background");
     settings.seed = static_cast<std::uint64_t>(params.integer("seed"));
     settings.domain_place = params.place("domain");
     settings.surface_place = params.place("surface");

@@ -4,7 +4,7 @@
 
 #include "geometry/plane/field.h"
 #include "geometry/plane/picture_shape.h"
-#include "model/material.h"
+#include "model/file_material.h"
 
 #include <optional>
 
@@ -16,7 +16,7 @@ struct ElementComponent {
     std::shared_ptr<const Region> flat_shape;   // the shape, if it is a region
     std::optional<PictureShape> picture;        // the shape, if it is a picture
     std::shared_ptr<const Region> given_region; // replaces the shape's own outline; may be null
-    std::shared_ptr<const Material> material;
+    Materials materials;
     double weight = 1;
     std::optional<double> length; // semi-axes of the exclusive ellipse, without the margin [m]
     std::optional<double> width;
@@ -50,6 +50,7 @@ struct ElementsSettings {
     std::shared_ptr<const Field> spacing;   // null: 1
     int relax = 0;
     std::string background; // path of a picture; empty: none
+    ImageOptions background_options;
     std::uint64_t seed = 0;
 
     ParamPlace domain_place;

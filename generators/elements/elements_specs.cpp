@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/elements/elements_specs.h"
 
-#include "model/material.h"
+#include "model/file_material.h"
 
 #include "geometry/plane/picture_shape.h"
 
@@ -38,7 +38,7 @@ std::vector<ParamSpec> component_specs() {
          .doc = "Its outline in place of the shape's own; for a mesh that is its silhouette from "
                 "above.",
          .optional = true},
-        material_spec("Its material"),
+        shape_material_spec("Its material"),
         {.name = "weight",
          .type = ParamType::number,
          .doc = "Its share of all elements, relative to the others; mixed evenly with sizes given, "
@@ -138,7 +138,7 @@ std::vector<ParamSpec> elements_specs() {
          .max = 10000.0},
         {.name = "background",
          .type = ParamType::path,
-         .doc = "A PNG, JPEG, EXR or SVG under a baked picture of the elements; it fills the "
+         .doc = "A PNG, JPEG, EXR, HDR or SVG under a baked picture of the elements; it fills the "
                 "domain's bounding box.",
          .optional = true},
         {.name = "seed",

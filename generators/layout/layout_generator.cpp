@@ -5,6 +5,7 @@
 #include "generators/layout/layout_settings.h"
 #include "generators/layout/layout_specs.h"
 #include "generators/layout/prototypes.h"
+#include "generators/layout/search_problem.h"
 #include "geometry/plane/ground_plane.h"
 #include "geometry/plane/region_shapes.h"
 
@@ -15,6 +16,9 @@
 namespace scree {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
 
 void check_torus(const LayoutSettings& settings, const LayoutProblem& problem) {
     const Vec2 size = problem.domain.box().size();
@@ -75,10 +79,10 @@ std::vector<Instance> instances_of(const LayoutProblem& problem, const Layout& l
 
 /// Fills the domain by the method that the settings name; `certificate` is set by the saturated
 /// one.
-MethodCounts fill(const LayoutSettings& settings, const LayoutProblem& problem,
+MethodCounts fill(LayoutMethod method, const LayoutSettings& settings, const LayoutProblem& problem,
                   Placements& placements, std::optional<Certificate>& certificate,
                   const Context& context) {
-    switch (settings.method) {
+    switch (method) {
     case LayoutMethod::naive:
         return fill_naive(problem, settings.naive_cancellations, placements, context);
     case LayoutMethod::saturated:
@@ -120,17 +124,45 @@ void add_certificate(const Certificate& certificate, Facts& facts) {
                   {"certificate_seconds", certificate.seconds}});
 }
 
-Aggregate bake_layout(const Params& params, const Context& context) {
-    const auto start = std::chrono::steady_clock::now();
-    const LayoutSettings settings = layout_settings(params);
-    if (!(area(*settings.domain) > 0))
-        throw settings.domain_place.error("the domain has no area");
-    Components components = components_from(
-        settings.components, settings.fields.density ? Margins::by_place : Margins::in_regions);
-    const LayoutProblem problem = problem_from(settings, components.prototypes);
+/// Saturated where that takes seconds; not when a number of elements or of darts is asked for,
+/// which are to be spread evenly, or to end the work.
+LayoutMethod default_method(const LayoutSettings& settings, const LayoutProblem& problem) {
+    constexpr double longest = 10; // [s]
+    const bool limited =
+        settings.counts_darts || settings.max_count != std::numeric_limits<std::size_t>::max();
+    return limited || expected_seconds(problem) > longest ? LayoutMethod::fill_gap
+                                                          : LayoutMethod::saturated;
+}
+
+/// What is known before anything is placed.
+struct PreparedLayout {
+    explicit PreparedLayout(const Params& params) : settings(layout_settings(params)) {
+        const auto start = Clock::now();
+        if (!(area(*settings.domain) > 0))
+            throw settings.domain_place.error("the domain has no area");
+        components = components_from(
+            settings.components, settings.fields.density ? Margins::by_place : Margins::in_regions);
+        problem.emplace(problem_from(settings, components.prototypes));
+        method = settings.method.value_or(default_method(settings, *problem));
+        preparing = Clock::now() - start;
+    }
+
+    LayoutSettings settings;
+    Components components;
+    std::optional<LayoutProblem> problem;
+    LayoutMethod method = LayoutMethod::saturated;
+    Seconds preparing{};
+};
+
+Aggregate bake_layout(const PreparedLayout& prepared, const Context& context) {
+    const auto start = Clock::now();
+    const LayoutSettings& settings = prepared.settings;
+    const Components& components = prepared.components;
+    const LayoutProblem& problem = *prepared.problem;
     Placements placements(problem);
     std::optional<Certificate> certificate;
-    const MethodCounts counts = fill(settings, problem, placements, certificate, context);
+    const MethodCounts counts =
+        fill(prepared.method, settings, problem, placements, certificate, context);
     if (placements.size() == 0 && problem.max_count > 0)
         throw settings.components_place.error(
             certificate
@@ -141,11 +173,11 @@ Aggregate bake_layout(const Params& params, const Context& context) {
     Aggregate aggregate;
     aggregate.generator = "layout";
     aggregate.seed = problem.seed;
-    aggregate.prototypes = std::move(components.prototypes);
+    aggregate.prototypes = components.prototypes;
     aggregate.instances = instances_of(problem, layout, settings.components);
     aggregate.domain = layout.domain;
     aggregate.torus = problem.domain.is_torus();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const Seconds seconds = prepared.preparing + (Clock::now() - start);
     aggregate.facts = facts_of(problem, components.bare_areas, placements, counts, seconds.count());
     if (certificate)
         add_certificate(*certificate, aggregate.facts);
@@ -154,11 +186,14 @@ Aggregate bake_layout(const Params& params, const Context& context) {
 
 } // namespace
 
-Plugin<Bake> layout_plugin() {
+Plugin<Generator> layout_plugin() {
     return {"layout",
             "Components on a plane at random angles and scales, whose exclusive regions never "
             "overlap (Sakurai & Miyata 2014).",
-            layout_specs(), bake_layout};
+            layout_specs(), [](const Params& params) -> Bake {
+                return [prepared = std::make_shared<const PreparedLayout>(params)](
+                           const Context& context) { return bake_layout(*prepared, context); };
+            }};
 }
 
 } // namespace scree

@@ -7,6 +7,6 @@ namespace scree {
 
 /// generator.layout: components on a plane, at random angles and scales, whose exclusive regions
 /// never overlap (Sakurai & Miyata 2014).
-Plugin<Bake> layout_plugin();
+Plugin<Generator> layout_plugin();
 
 } // namespace scree

@@ -13,7 +13,9 @@ Inside inside_of(const Params& params) {
     return params.text("inside") == "whole" ? Inside::whole : Inside::centre;
 }
 
-LayoutMethod method_of(const Params& params) {
+std::optional<LayoutMethod> method_of(const Params& params) {
+    if (!params.has("method"))
+        return {};
     const std::string& method = params.text("method");
     return method == "naive"       ? LayoutMethod::naive
            : method == "saturated" ? LayoutMethod::saturated
@@ -30,7 +32,7 @@ LayoutComponent component_from(const Params& params, std::size_t index) {
     return {.mesh = params.object<Mesh>("shape"),
             .flat_shape = params.object<Region>("shape"),
             .given_region = params.object<Region>("region"),
-            .material = params.object<Material>("material"),
+            .materials = materials_of(params, params.object<Mesh>("shape").get()),
             .weight = params.number("weight"),
             .margin = params.number("margin"),
             .class_number = params.has("class") ? static_cast<long>(params.integer("class"))
@@ -71,7 +73,8 @@ LayoutSettings layout_settings(const Params& params) {
     settings.fill_gap.candidates = static_cast<std::size_t>(params.integer("candidates"));
     settings.fill_gap.exponent = static_cast<std::uint32_t>(params.integer("exponent"));
     settings.fill_gap.resolution = static_cast<int>(params.integer("resolution"));
-    if (params.has("cancellations"))
+    settings.counts_darts = params.has("cancellations");
+    if (settings.counts_darts)
         settings.fill_gap.cancellations = settings.naive_cancellations =
             static_cast<std::uint64_t>(params.integer("cancellations"));
     settings.epsilon_share = params.number("epsilon");

@@ -4,7 +4,7 @@
 
 #include "generators/layout/method.h"
 #include "geometry/mesh/mesh.h"
-#include "model/material.h"
+#include "model/file_material.h"
 
 namespace scree {
 
@@ -15,7 +15,7 @@ struct LayoutComponent {
     std::shared_ptr<const Mesh> mesh;           // the shape, if it is a mesh
     std::shared_ptr<const Region> flat_shape;   // the shape, if it is a region
     std::shared_ptr<const Region> given_region; // replaces the shape's own outline; may be null
-    std::shared_ptr<const Material> material;
+    Materials materials;
     double weight = 1;
     double margin = 0; // [m]
     long class_number = 0;
@@ -28,7 +28,8 @@ struct LayoutComponent {
 
 /// Lengths in metres, angles in radians.
 struct LayoutSettings {
-    LayoutMethod method = LayoutMethod::fill_gap;
+    std::optional<LayoutMethod> method; // nothing: what suits the problem
+    bool counts_darts = false;          // the script says how many cancelled trials end the work
     std::shared_ptr<const Region> domain;
     Inside inside = Inside::whole;
     std::vector<LayoutComponent> components;

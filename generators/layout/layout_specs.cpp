@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/layout/layout_specs.h"
 
-#include "model/material.h"
+#include "model/file_material.h"
 
 namespace scree {
 
@@ -19,7 +19,7 @@ std::vector<ParamSpec> component_specs() {
          .doc = "The exclusive region in place of the shape's own; for a mesh that is its "
                 "silhouette from above.",
          .optional = true},
-        material_spec("Its material"),
+        shape_material_spec("Its material"),
         {.name = "weight",
          .type = ParamType::number,
          .doc = "How often it is tried, relative to the others.",
@@ -51,9 +51,12 @@ std::vector<ParamSpec> element_specs() {
     return {
         {.name = "method",
          .type = ParamType::choice,
-         .doc = "naive: random darts; fill_gap: darts where the gaps are wide; saturated: until it "
-                "is certain that nothing more fits.",
-         .fallback = std::string("fill_gap"),
+         .doc =
+             "naive: random darts; fill_gap: darts where the gaps are wide; saturated: until it "
+             "is certain that nothing more fits. Unless given it is saturated, but fill_gap where "
+             "that is expected to take more than ten seconds, and beside max_count or "
+             "cancellations.",
+         .optional = true,
          .choices = {"naive", "fill_gap", "saturated"}},
         {.name = "domain",
          .type = ParamType::object,

@@ -29,6 +29,24 @@ std::shared_ptr<const Region> with_margin(const LayoutComponent& component,
     });
 }
 
+/// What is seen from above, where that is not the exclusive region; null for a mesh of which
+/// nothing is.
+std::shared_ptr<const Region> seen_outline(const LayoutComponent& component,
+                                           const std::shared_ptr<const Region>& bare,
+                                           const std::shared_ptr<const Region>& exclusive) {
+    if (component.given_region == nullptr)
+        return bare == exclusive ? nullptr : bare;
+    if (component.mesh == nullptr)
+        return component.flat_shape;
+    try {
+        return std::make_shared<const Region>(silhouette(*component.mesh));
+    } catch (const Error& error) {
+        if (error.fault() != Fault::input)
+            throw;
+        return nullptr;
+    }
+}
+
 } // namespace
 
 Components components_from(const std::vector<LayoutComponent>& components, Margins margins) {
@@ -49,7 +67,8 @@ Components components_from(const std::vector<LayoutComponent>& components, Margi
                                     *component.flat_shape, fmt::format("component_{}", i)));
         prototype.name = prototype.mesh()->name;
         prototype.region = margins == Margins::by_place ? bare : with_margin(component, bare);
-        prototype.material = component.material;
+        prototype.outline = seen_outline(component, bare, prototype.region);
+        prototype.materials = component.materials;
         result.prototypes.push_back(std::move(prototype));
         result.bare_areas.push_back(area(*bare));
     }

@@ -57,6 +57,26 @@ std::vector<NoFitPiece> outside_of(const LayoutProblem& problem, double reach, d
 
 } // namespace
 
+double expected_seconds(const LayoutProblem& problem) {
+    constexpr double seconds_per_pair = 0.14e-3;
+    constexpr double usual_fill = 0.55;
+    constexpr double rounded_corners = 4; // by margins that vary: each piece has many more corners
+    double pieces = 0, area = 0;
+    for (const CollisionShape& shape : problem.shapes) {
+        const auto count = double(convex_cover(triangulate(shape.outline().rings)).size());
+        const bool all_scales =
+            problem.scale.high > problem.scale.low && !smaller_is_easier(problem, shape.outline());
+        pieces += count * (all_scales ? 2 : 1);
+        area += shape.area() / double(problem.shapes.size());
+    }
+    const double scale =
+        (problem.scale.low + problem.scale.high) / 2 * problem.scale_over(problem.domain.box()).low;
+    const double elements =
+        usual_fill * scree::area(problem.domain.region()) / (area * scale * scale);
+    return seconds_per_pair * elements * pieces * pieces / double(problem.shapes.size()) *
+           (problem.fields.density ? rounded_corners : 1);
+}
+
 double turn_period(const Region& region) {
     const Box2 box = bounds(region);
     const double tolerance = 1e-7 * box.size().length();

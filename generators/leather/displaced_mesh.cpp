@@ -71,6 +71,15 @@ class Refinement {
         mesh_.triangles = std::move(triangles);
     }
 
+    /// How many triangles `split(limit)` would make.
+    std::size_t count_after_split(float limit) const {
+        std::size_t count = mesh_.triangles.size();
+        for (const Mesh::Triangle& t : mesh_.triangles)
+            for (std::size_t k = 0; k < 3; ++k)
+                count += (mesh_.positions[t[k]] - mesh_.positions[t[(k + 1) % 3]]).length() > limit;
+        return count;
+    }
+
     float longest_edge() const {
         float longest = 0;
         for (const Mesh::Triangle& t : mesh_.triangles)
@@ -214,8 +223,15 @@ Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t tria
     // Halved edges end between half the limit and the limit: triangles of about 0.6 of it.
     const auto limit =
         static_cast<float>(1.6 * std::sqrt(4 / std::sqrt(3.0) * area(mesh) / double(triangles)));
-    while (refined.longest_edge() > limit && refined.mesh().triangles.size() < triangles)
-        refined.split(limit);
+    while (true) {
+        const float longest = refined.longest_edge();
+        float split_above = limit;
+        while (split_above < longest && refined.count_after_split(split_above) > triangles)
+            split_above *= 1.05F;
+        if (split_above >= longest)
+            break;
+        refined.split(split_above);
+    }
     refined.displace(field, tiles);
     return std::move(refined.mesh());
 }

@@ -70,6 +70,12 @@ std::size_t cells_per_side(std::size_t triangles) { // even
     return 2 * std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(double(triangles) / 8)));
 }
 
+/// The same where four walls of 2 n triangles are added to the 2 n^2 of the grid.
+std::size_t cells_per_side_with_walls(std::size_t triangles) {
+    const double n = std::sqrt(4 + double(triangles) / 2) - 2;
+    return 2 * std::max<std::size_t>(1, static_cast<std::size_t>(n / 2));
+}
+
 /// Walls from the grid's border down to y = 0.
 void add_cut_edges(Mesh& mesh, std::size_t n) {
     const std::size_t side = n + 1;
@@ -100,7 +106,8 @@ void add_cut_edges(Mesh& mesh, std::size_t n) {
 } // namespace
 
 Mesh displaced_swatch(const HeightField& field, double thickness, std::size_t triangles) {
-    const std::size_t n = cells_per_side(triangles);
+    const std::size_t n =
+        thickness > 0 ? cells_per_side_with_walls(triangles) : cells_per_side(triangles);
     Mesh mesh = displaced_grid(field, n, [&](double across, double down) {
         SurfacePoint p;
         p.uv = {across, 1 - down};

@@ -9,7 +9,7 @@ namespace scree {
 
 /// One tile lying flat in the x-z plane, centred on the origin, displaced upwards: a grid of at
 /// most `triangles` triangles whose UVs are the map's. With `thickness` above 0 [m] the base plane
-/// lies at that height and cut edges go down to y = 0.
+/// lies at that height and cut edges, which count too, go down to y = 0.
 Mesh displaced_swatch(const HeightField& field, double thickness, std::size_t triangles);
 
 /// A sphere displaced along its normals. The map is laid on by Lambert's azimuthal equal-area
@@ -19,7 +19,8 @@ Mesh displaced_swatch(const HeightField& field, double thickness, std::size_t tr
 Mesh displaced_sphere(const HeightField& field, const Vec3& centre, double radius,
                       const Vec3& facing, std::size_t triangles);
 
-/// Any mesh with UVs: edges are halved until it has about `triangles` triangles, along curves that
+/// Any mesh with UVs: edges are halved, the longest first, as long as there are at most `triangles`
+/// triangles, or as many as the mesh has, along curves that
 /// follow its normals (Vlachos et al. 2001), then moved along those normals. The tile repeats a
 /// whole number of times over the unit square, as near to its true size as can be, so that closed
 /// surfaces stay seamless. Points at one place stay at one place: seams do not open.

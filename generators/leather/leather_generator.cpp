@@ -62,11 +62,12 @@ struct CoverSettings {
     double thickness = 0;              // of a flat tile [m]
     std::size_t triangles = 0;
     std::shared_ptr<const Material> material;
-    Vec3 position;
+    WideVec3 position;
     Vec3 rotation; // about x, then y, then z [rad]
 
     ParamPlace shape_place;
     ParamPlace facing_place;
+    ParamPlace triangles_place;
 };
 
 CoverSettings cover_from(const Params& params) {
@@ -75,10 +76,31 @@ CoverSettings cover_from(const Params& params) {
             .thickness = params.number("thickness"),
             .triangles = static_cast<std::size_t>(params.integer("triangles")),
             .material = params.object<Material>("material"),
-            .position = params.vector3("position"),
+            .position = params.point3("position"),
             .rotation = params.vector3("rotation"),
             .shape_place = params.place("shape"),
-            .facing_place = params.place("facing")};
+            .facing_place = params.place("facing"),
+            .triangles_place = params.place("triangles")};
+}
+
+/// Whether the shape is a sphere, whose place and size are set then.
+bool covers_sphere(const CoverSettings& cover, Vec3& centre, double& radius) {
+    return cover.shape != nullptr && is_sphere(*cover.shape, centre, radius);
+}
+
+void check(const CoverSettings& cover) {
+    Vec3 centre;
+    double radius = 0;
+    if (covers_sphere(cover, centre, radius)) {
+        if (!(cover.facing.length() > 0))
+            throw cover.facing_place.error("is no direction");
+    } else if (cover.shape != nullptr && cover.shape->uvs.empty()) {
+        throw cover.shape_place.error(cover.shape->name + " has no UVs to lay the leather on");
+    } else if (cover.shape != nullptr && cover.shape->triangles.size() > cover.triangles) {
+        throw cover.triangles_place.error(fmt::format("is {}, but {} has {} already",
+                                                      cover.triangles, cover.shape->name,
+                                                      cover.shape->triangles.size()));
+    }
 }
 
 Mesh covered_shape(const CoverSettings& cover, const HeightField& field) {
@@ -87,33 +109,26 @@ Mesh covered_shape(const CoverSettings& cover, const HeightField& field) {
     const Mesh& mesh = *cover.shape;
     Vec3 centre;
     double radius = 0;
-    Mesh result;
-    if (is_sphere(mesh, centre, radius)) {
-        if (!(cover.facing.length() > 0))
-            throw cover.facing_place.error("is no direction");
-        result = displaced_sphere(field, centre, radius, cover.facing, cover.triangles);
-    } else {
-        if (mesh.uvs.empty())
-            throw cover.shape_place.error(mesh.name + " has no UVs to lay the leather on");
-        result = displaced_mesh(field, mesh, cover.triangles);
-    }
+    Mesh result = covers_sphere(cover, centre, radius)
+                      ? displaced_sphere(field, centre, radius, cover.facing, cover.triangles)
+                      : displaced_mesh(field, mesh, cover.triangles);
     result.name = mesh.name;
     return result;
 }
 
-Matrix world_from_shape(const CoverSettings& cover) {
-    Matrix about_x, about_y, about_z, move;
+WideMatrix world_from_shape(const CoverSettings& cover) {
+    Matrix about_x, about_y, about_z;
+    WideMatrix move;
     about_x.setAxisAngle(Vec3(1, 0, 0), cover.rotation.x);
     about_y.setAxisAngle(Vec3(0, 1, 0), cover.rotation.y);
     about_z.setAxisAngle(Vec3(0, 0, 1), cover.rotation.z);
     move.setTranslation(cover.position);
-    return about_x * about_y * about_z * move;
+    return WideMatrix(about_x * about_y * about_z) * move;
 }
 
-Aggregate bake_leather(const Params& params, const Context& context) {
+Aggregate bake_leather(const ReliefRequest& request, const CoverSettings& cover,
+                       const Context& context) {
     const auto start = std::chrono::steady_clock::now();
-    const ReliefRequest request = request_from(params);
-    const CoverSettings cover = cover_from(params);
     ReliefFacts facts;
     const auto field =
         std::make_shared<const HeightField>(leather_relief(request, context, &facts));
@@ -122,7 +137,8 @@ Aggregate bake_leather(const Params& params, const Context& context) {
     Aggregate aggregate;
     aggregate.generator = "leather";
     aggregate.seed = request.seed;
-    aggregate.prototypes.push_back({mesh->name, mesh, nullptr, cover.material});
+    aggregate.prototypes.push_back(
+        {.name = mesh->name, .shape = mesh, .materials = {cover.material}});
     Instance instance;
     instance.world_from_object = world_from_shape(cover);
     instance.random = Random(request.seed, Purpose::instance_attribute).uniform_float();
@@ -192,16 +208,16 @@ std::vector<ParamSpec> leather_specs() {
          .max = 10.0},
         {.name = "triangles",
          .type = ParamType::integer,
-         .doc = "About how many triangles the displaced shape has.",
+         .doc = "At most how many triangles the displaced shape has.",
          .fallback = std::int64_t{2000000},
          .min = 100.0,
          .max = 5e7},
         material_spec("Its material"),
         {.name = "position",
-         .type = ParamType::vector3,
+         .type = ParamType::point3,
          .doc = "Where the shape's origin goes.",
          .unit = "m",
-         .fallback = Vec3(0.0F)},
+         .fallback = WideVec3(0)},
         {.name = "rotation",
          .type = ParamType::vector3,
          .doc = "Turn about the x axis, then y, then z, each through the shape's origin.",
@@ -215,12 +231,18 @@ std::vector<ParamSpec> leather_specs() {
 
 } // namespace
 
-Plugin<Bake> leather_plugin() {
+Plugin<Generator> leather_plugin() {
     return {
         "leather",
         "Leather: a relief of cristae and sulci that tiles seamlessly, as a height map and as a "
         "displaced shape (after Sakurai & Miyata 2014).",
-        leather_specs(), bake_leather};
+        leather_specs(), [](const Params& params) -> Bake {
+            const CoverSettings cover = cover_from(params);
+            check(cover);
+            return [request = request_from(params), cover](const Context& context) {
+                return bake_leather(request, cover, context);
+            };
+        }};
 }
 
 } // namespace scree

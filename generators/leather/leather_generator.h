@@ -7,6 +7,6 @@ namespace scree {
 
 /// generator.leather: a height map of cristae and sulci that tiles, and a shape displaced by it
 /// (after Sakurai & Miyata 2014, section 5.3).
-Plugin<Bake> leather_plugin();
+Plugin<Generator> leather_plugin();
 
 } // namespace scree

@@ -57,7 +57,7 @@ std::vector<ComponentSettings> component_settings(const Params& params) {
         ComponentSettings& component = components.emplace_back();
         component.shape = given.object<Mesh>("shape");
         component.shape_place = given.place("shape");
-        component.material = given.object<Material>("material");
+        component.materials = materials_of(given, component.shape.get());
         component.weight = given.number("weight");
         component.thickness = thickness_of(given);
         component.spacing = given_number(params, given, "spacing").value_or(thesis ? 1 : 3);

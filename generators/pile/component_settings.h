@@ -3,7 +3,7 @@
 
 #include "core/located.h"
 #include "generators/pile/shape_variation.h"
-#include "model/material.h"
+#include "model/file_material.h"
 
 #include <memory>
 #include <optional>
@@ -15,11 +15,11 @@ namespace scree {
 struct ComponentSettings {
     std::shared_ptr<const Mesh> shape;
     ParamPlace shape_place;
-    std::shared_ptr<const Material> material; // null: grey matte
-    double weight = 1;                        // how often it is tried
-    double thickness = 0;                     // of a sheet [m]; 0: a closed mesh
-    double spacing = 1;                       // C_radius of Sakurai (2013)
-    double refine = 2;                        // C_refine
+    Materials materials;
+    double weight = 1;      // how often it is tried
+    double thickness = 0;   // of a sheet [m]; 0: a closed mesh
+    double spacing = 1;     // C_radius of Sakurai (2013)
+    double refine = 2;      // C_refine
     Vec3 rotation{0, 0, 0}; // widths of the ranges of random angles about u, v and w [rad]
     std::optional<ShapeVariation> variation;
     ParamPlace bend_place; // of the variation

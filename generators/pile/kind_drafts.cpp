@@ -15,7 +15,7 @@ std::vector<Prototype> prototypes_of(const ComponentSettings& component, std::ui
     Prototype prototype;
     prototype.shape = component.shape;
     prototype.name = component.shape->name;
-    prototype.material = component.material;
+    prototype.materials = component.materials;
     if (!component.variation)
         return {prototype};
     const ShapeVariation& variation = *component.variation;

@@ -14,22 +14,22 @@ namespace scree {
 namespace {
 
 /// What takes the target's frame to the scene's.
-Matrix scene_from_target(const PileSettings& settings) {
-    Matrix matrix;
-    matrix.rotate(Vec3(0, static_cast<float>(settings.turn), 0));
+WideMatrix scene_from_target(const PileSettings& settings) {
+    WideMatrix matrix;
+    matrix.rotate(WideVec3(0, settings.turn, 0));
     for (int axis = 0; axis < 3; ++axis)
         matrix[3][axis] = settings.position[axis];
     return matrix;
 }
 
 std::vector<Instance> instances_of(const PlacedBodies& pile, const PileSettings& settings) {
-    const Matrix world = scene_from_target(settings);
+    const WideMatrix world = scene_from_target(settings);
     std::vector<Instance> instances(pile.all.size());
     parallel_for(pile.all.size(), 1024, [&](std::size_t i) {
         const PlacedBody& placed = pile.all[i];
         instances[i].prototype = placed.body;
         instances[i].world_from_object =
-            world_from_object(placed.pose, pile.body(placed).origin) * world;
+            WideMatrix(world_from_object(placed.pose, pile.body(placed).origin)) * world;
         instances[i].random = Random(settings.seed, Purpose::instance_attribute, i).uniform_float();
     });
     return instances;
@@ -82,9 +82,17 @@ void add_measures(const PlacedPile& placed, const PileSettings& settings, Facts&
                 facts);
 }
 
-Aggregate bake_pile(const Params& params, const Context& context) {
+void check(const std::vector<ComponentSettings>& components) {
+    for (const ComponentSettings& component : components) {
+        located(component.shape_place, [&] { check_body(*component.shape, component.thickness); });
+        if (component.variation)
+            located(component.bend_place,
+                    [&] { check_bend(*component.shape, *component.variation); });
+    }
+}
+
+Aggregate bake_pile(const PileSettings& settings, const Context& context) {
     StageTimes stages;
-    const PileSettings settings = pile_settings(params);
     const KindDrafts drafts(settings.components, settings.seed);
     const std::vector<PileKind>& kinds = drafts.kinds;
     const PileTurns turns{.kinds = kinds,
@@ -138,11 +146,15 @@ Aggregate bake_pile(const Params& params, const Context& context) {
 
 } // namespace
 
-Plugin<Bake> pile_plugin() {
+Plugin<Generator> pile_plugin() {
     return {"pile",
             "Heaps: components piled on the surface of a shape, touching and hardly overlapping "
             "(Sakurai 2013, chapter 4).",
-            pile_specs(), bake_pile};
+            pile_specs(), [](const Params& params) -> Bake {
+                const auto settings = std::make_shared<const PileSettings>(pile_settings(params));
+                check(settings->components);
+                return [settings](const Context& context) { return bake_pile(*settings, context); };
+            }};
 }
 
 } // namespace scree

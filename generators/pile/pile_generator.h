@@ -6,6 +6,6 @@
 namespace scree {
 
 /// generator.pile: components piled on the surface of a shape (Sakurai 2013, chapter 4).
-Plugin<Bake> pile_plugin();
+Plugin<Generator> pile_plugin();
 
 } // namespace scree

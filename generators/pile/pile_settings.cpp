@@ -135,7 +135,7 @@ PileSettings pile_settings(const Params& params) {
     PileSettings settings;
     settings.target = params.object<Mesh>("target");
     settings.target_place = params.place("target");
-    settings.position = params.vector3("position");
+    settings.position = params.point3("position");
     settings.turn = params.number("turn");
     settings.solid = solid_fill(params);
     settings.relaxation = relax_settings(params);

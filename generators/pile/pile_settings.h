@@ -18,8 +18,8 @@ namespace scree {
 struct PileSettings {
     std::shared_ptr<const Mesh> target;
     ParamPlace target_place;
-    Vec3 position{0, 0, 0}; // of the target's origin in the scene [m]
-    double turn = 0;        // about the upright axis [rad]
+    WideVec3 position{0, 0, 0}; // of the target's origin in the scene [m]
+    double turn = 0;            // about the upright axis [rad]
 
     std::vector<ComponentSettings> components;
     PileFrame frame = PileFrame::surface;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/pile/pile_specs.h"
 
-#include "model/material.h"
+#include "model/file_material.h"
 
 #include "generators/pile/flow_settings.h"
 
@@ -83,7 +83,7 @@ std::vector<ParamSpec> component_specs() {
          .families = {"mesh"},
          .doc = "What is piled: a closed mesh, or a sheet. Its y axis points outwards before it is "
                 "turned."},
-        material_spec("Its material"),
+        shape_material_spec("Its material"),
         {.name = "weight",
          .type = ParamType::number,
          .doc = "How often it is tried, relative to the others, as long as all have sites left.",
@@ -136,11 +136,11 @@ std::vector<ParamSpec> target_specs() {
          .families = {"mesh"},
          .doc = "The shape whose surface is covered."},
         {.name = "position",
-         .type = ParamType::vector3,
+         .type = ParamType::point3,
          .doc = "Where the target's origin stands. The target's frame is moved there with the pile "
                 "and with all that is given in it: floor, cut and flow.",
          .unit = "m",
-         .fallback = Vec3(0)},
+         .fallback = WideVec3(0)},
         {.name = "turn",
          .type = ParamType::number,
          .doc =

@@ -53,23 +53,6 @@ double longest_side(const Box3& box, int& axis) {
     return double(size[axis]);
 }
 
-void check_folds(const Mesh& mesh, const ShapeVariation& variation, const Vec3d& centre, int axis,
-                 double length) {
-    double widest = 0;
-    for (const Vec3& p : mesh.positions) {
-        Vec3d v = Vec3d(p) - centre;
-        v[axis] = 0;
-        widest = std::max(widest, v.length());
-    }
-    const double shortest = 1 - variation.stretch;
-    const double most = (1 - least_left) * length * shortest * std::sqrt(shortest) / widest;
-    if (variation.bend > most)
-        throw Error({.where = {},
-                     .path = {},
-                     .message = "the component is too wide for such a bend: it would fold over",
-                     .hint = fmt::format("expected at most {:.0f} degrees", degrees(most))});
-}
-
 } // namespace
 
 Vec3 Deformation::point(const Vec3& p) const {
@@ -103,6 +86,25 @@ Vec3 Deformation::normal(const Vec3& p, const Vec3& n) const {
     return Vec3(axes.from(m).normalized());
 }
 
+void check_bend(const Mesh& mesh, const ShapeVariation& variation) {
+    const Box3 box = bounds(mesh);
+    int axis = 0;
+    const double length = longest_side(box, axis);
+    double widest = 0;
+    for (const Vec3& p : mesh.positions) {
+        Vec3d v = Vec3d(p) - Vec3d(box.center());
+        v[axis] = 0;
+        widest = std::max(widest, v.length());
+    }
+    const double shortest = 1 - variation.stretch;
+    const double most = (1 - least_left) * length * shortest * std::sqrt(shortest) / widest;
+    if (variation.bend > most)
+        throw Error({.where = {},
+                     .path = {},
+                     .message = "the component is too wide for such a bend: it would fold over",
+                     .hint = fmt::format("expected at most {:.0f} degrees", degrees(most))});
+}
+
 Mesh varied_shape(const Mesh& mesh, const ShapeVariation& variation, std::uint32_t index,
                   Random random) {
     const Box3 box = bounds(mesh);
@@ -112,7 +114,7 @@ Mesh varied_shape(const Mesh& mesh, const ShapeVariation& variation, std::uint32
     d.length = longest_side(box, axis);
     if (!(d.length > 0))
         return mesh; // a single point
-    check_folds(mesh, variation, Vec3d(d.centre), axis, d.length);
+    check_bend(mesh, variation);
 
     const auto either_way = [&](double most) { return random.uniform(-most, most); };
     const double direction = random.uniform(0, 2 * pi);

@@ -37,8 +37,10 @@ struct Deformation {
     Vec3 normal(const Vec3& p, const Vec3& n) const;
 };
 
-/// Shape number `index` of the variation. Equal positions stay equal. Throws Error for a mesh so
-/// wide that it could fold over when it is bent.
+/// Throws Error for a mesh so wide that it could fold over when it is bent.
+void check_bend(const Mesh& mesh, const ShapeVariation& variation);
+
+/// Shape number `index` of the variation. Equal positions stay equal. Throws as `check_bend`.
 Mesh varied_shape(const Mesh& mesh, const ShapeVariation& variation, std::uint32_t index,
                   Random random);
 

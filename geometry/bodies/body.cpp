@@ -26,23 +26,6 @@ constexpr double most_samples = 20000;
 constexpr std::size_t most_balls = 30;
 constexpr std::size_t most_probe_balls = 600;
 
-void check(const Mesh& mesh, double thickness) {
-    const MeshFacts facts = inspect(mesh);
-    if (!facts.finite)
-        throw Error("the mesh has numbers that are not finite");
-    if (!(area(mesh) > 0))
-        throw Error("the mesh has no area");
-    if (thickness > 0 || facts.closed())
-        return;
-    throw Error({.where = {},
-                 .path = {},
-                 .message = fmt::format(
-                     "the mesh is not closed: {} boundary edges, {} edges where triangles do not "
-                     "meet in twos or disagree on what is outside",
-                     facts.boundary_edges, facts.non_manifold_edges),
-                 .hint = "expected a closed mesh, or sheet = true"});
-}
-
 std::vector<Ball> poles_of(const SurfacePoints& points, bool inside_out) {
     if (!inside_out)
         return inner_poles(points.positions, points.normals);
@@ -176,8 +159,25 @@ BodyDraft draft_solid(std::shared_ptr<Body> body) {
 
 } // namespace
 
+void check_body(const Mesh& mesh, double thickness) {
+    const MeshFacts facts = inspect(mesh);
+    if (!facts.finite)
+        throw Error("the mesh has numbers that are not finite");
+    if (!(area(mesh) > 0))
+        throw Error("the mesh has no area");
+    if (thickness > 0 || facts.closed())
+        return;
+    throw Error({.where = {},
+                 .path = {},
+                 .message = fmt::format(
+                     "the mesh is not closed: {} boundary edges, {} edges where triangles do not "
+                     "meet in twos or disagree on what is outside",
+                     facts.boundary_edges, facts.non_manifold_edges),
+                 .hint = "expected a closed mesh, or sheet = true"});
+}
+
 BodyDraft draft_body(std::shared_ptr<const Mesh> mesh, double thickness) {
-    check(*mesh, thickness);
+    check_body(*mesh, thickness);
     auto body = std::make_shared<Body>();
     body->mesh = std::move(mesh);
     BodyDraft draft = thickness > 0 ? draft_sheet(body, thickness) : draft_solid(body);

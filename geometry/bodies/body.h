@@ -36,9 +36,12 @@ struct BodyDraft {
     std::function<void()> complete;
 };
 
+/// Throws Error for a mesh without area or with numbers that are not finite and, unless it is a
+/// sheet with a thickness [m], for one that is not closed (with the counts of bad edges).
+void check_body(const Mesh& mesh, double thickness = 0);
+
 /// Begins a body from a closed mesh, or, with `thickness` > 0 [m], from any mesh as a sheet. Throws
-/// Error for a mesh without area or with numbers that are not finite, and, unless it is a sheet,
-/// for one that is not closed (with the counts of bad edges) or encloses nothing.
+/// Error as `check_body`, and for a closed mesh that encloses nothing.
 BodyDraft draft_body(std::shared_ptr<const Mesh> mesh, double thickness = 0);
 
 /// The whole body at once. Throws as `draft_body`.

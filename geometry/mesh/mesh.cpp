@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/mesh/mesh.h"
 
+#include "geometry/mesh/append_mesh.h"
+
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <map>
 #include <numeric>
 #include <unordered_map>
@@ -127,6 +128,8 @@ void compute_normals(Mesh& mesh, double crease, NormalWeight weight) {
     Mesh out;
     out.name = mesh.name;
     out.triangles = mesh.triangles;
+    out.parts = mesh.parts;
+    out.materials = mesh.materials;
     // A corner's normal sums the faces round its vertex that turn away less than the crease;
     // corners of one vertex with equal normals stay one vertex.
     std::map<std::uint32_t, std::vector<std::uint32_t>> made; // old vertex -> new vertices
@@ -197,16 +200,7 @@ void normalise_size(Mesh& mesh, double size) {
         p = (p - foot) * factor;
 }
 
-void append(Mesh& mesh, const Mesh& other) {
-    assert(mesh.positions.empty() || mesh.normals.empty() == other.normals.empty());
-    assert(mesh.positions.empty() || mesh.uvs.empty() == other.uvs.empty());
-    const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
-    mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());
-    mesh.uvs.insert(mesh.uvs.end(), other.uvs.begin(), other.uvs.end());
-    for (const Mesh::Triangle& t : other.triangles)
-        mesh.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-}
+void append(Mesh& mesh, const Mesh& other) { append_mesh(mesh, other); }
 
 void transform(Mesh& mesh, const Matrix& matrix) {
     for (Vec3& p : mesh.positions)

@@ -5,10 +5,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace scree {
+
+struct MeshMaterials;
 
 /// Indexed triangles, counter-clockwise seen from outside [m]. `normals` and `uvs` are either empty
 /// or one per position; a seam or a crease repeats the position. Plain data: validity is the
@@ -21,6 +24,11 @@ struct Mesh {
     std::vector<Vec3> normals;
     std::vector<Vec2f> uvs;
     std::vector<Triangle> triangles;
+
+    static constexpr std::size_t most_parts = 65536;
+    std::vector<std::uint16_t> parts{}; // of each triangle the number of its part; empty: all are 0
+    // Of the parts, as the mesh's file describes them; null: the mesh is from no file.
+    std::shared_ptr<const MeshMaterials> materials{};
 };
 
 Box3 bounds(const Mesh& mesh);
@@ -64,7 +72,7 @@ Vec3 smooth_normal(const Mesh& mesh, std::uint32_t triangle, const Imath::V3d& p
 /// scales it so that its longest side is `size` [m].
 void normalise_size(Mesh& mesh, double size);
 
-/// Appends `other` to `mesh`; both must have the same optional arrays.
+/// Appends `other` to `mesh`; both must have the same optional arrays, but for the parts.
 void append(Mesh& mesh, const Mesh& other);
 
 /// Transforms positions and normals; a mirroring matrix also turns the triangles round.

@@ -43,6 +43,7 @@ constexpr double detail_share = 1e-5;
 struct ExactShape {
     std::vector<std::vector<Point>> rings;
     FillRule rule;
+    std::vector<std::size_t> within;
 
     int winding_number(const Point& p) const {
         int number = 0;
@@ -71,11 +72,16 @@ struct ExactShape {
 /// The plane cut into triangles along all edges, which are also cut where they cross.
 class Arrangement {
   public:
-    Arrangement(const std::vector<FilledRings>& shapes, double longest)
+    Arrangement(const std::vector<FilledRings>& shapes, const Clips& clips, double longest)
         : step_(std::exp2(std::floor(std::log2(longest * grid_share)))),
           detail_(longest * detail_share) {
         for (const FilledRings& shape : shapes)
-            insert(shape);
+            shapes_.push_back(inserted(shape));
+        for (const std::vector<FilledRings>& clip : clips) {
+            clips_.emplace_back();
+            for (const FilledRings& shape : clip)
+                clips_.back().push_back(inserted(shape));
+        }
         number_parts();
         mark_filled();
     }
@@ -107,8 +113,9 @@ class Arrangement {
   private:
     double on_grid(double v) const { return std::round(v / step_) * step_; }
 
-    void insert(const FilledRings& shape) {
-        ExactShape exact{{}, shape.rule};
+    /// The shape, whose edges now cut the plane.
+    ExactShape inserted(const FilledRings& shape) {
+        ExactShape exact{{}, shape.rule, shape.within};
         for (const Ring& ring : shape.rings) {
             std::vector<Point> points;
             Vec2 before(std::nan(""));
@@ -131,7 +138,7 @@ class Arrangement {
                     triangulation_.insert_constraint(vertices[j], vertices[i]);
             exact.rings.push_back(std::move(points));
         }
-        shapes_.push_back(std::move(exact));
+        return exact;
     }
 
     /// Numbers the connected parts between the edges; part 0 is outside.
@@ -177,10 +184,16 @@ class Arrangement {
         for (std::size_t i = 0; i < largest_.size(); ++i) {
             const auto triangle = triangulation_.triangle(largest_[i]);
             const Point inside = CGAL::centroid(triangle);
-            filled_[i + 1] =
-                std::any_of(shapes_.begin(), shapes_.end(),
-                            [&](const ExactShape& shape) { return shape.fills(inside); });
+            filled_[i + 1] = is_in_any(shapes_, inside);
         }
+    }
+
+    bool is_in_any(const std::vector<ExactShape>& shapes, const Point& p) const {
+        return std::any_of(shapes.begin(), shapes.end(), [&](const ExactShape& shape) {
+            return shape.fills(p) &&
+                   std::all_of(shape.within.begin(), shape.within.end(),
+                               [&](std::size_t clip) { return is_in_any(clips_[clip], p); });
+        });
     }
 
     bool is_filled(Face face) const { return filled_[static_cast<std::size_t>(face->info())]; }
@@ -231,6 +244,7 @@ class Arrangement {
     double detail_;
     Triangulation triangulation_;
     std::vector<ExactShape> shapes_;
+    std::vector<std::vector<ExactShape>> clips_;
     std::vector<Face> largest_; // of parts 1, 2, ...
     std::vector<bool> filled_;  // by part
 };
@@ -250,15 +264,18 @@ double longest_side(const std::vector<FilledRings>& shapes) {
 
 } // namespace
 
-Region fill(std::vector<FilledRings> shapes) {
+Region fill(std::vector<FilledRings> shapes, const Clips& clips) {
     const double longest = longest_side(shapes);
     if (!(longest > 0) || !std::isfinite(longest))
         throw Error("the outline encloses no area");
+    for (const std::vector<FilledRings>& clip : clips)
+        longest_side(clip); // is finite
     // Points where edges cross are rounded, after which edges may cross or touch again: then the
     // result is filled again. One pass is usual; a third was never needed in tests.
     constexpr int most_rounds = 8;
     for (int round = 1;; ++round) {
-        std::vector<Ring> rings = Arrangement(shapes, longest).rings();
+        std::vector<Ring> rings =
+            Arrangement(shapes, round == 1 ? clips : Clips(), longest).rings();
         if (rings.empty())
             throw Error("the outline encloses no area");
         try {

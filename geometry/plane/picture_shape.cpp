@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/plane/picture_shape.h"
 
+#include "core/image_params.h"
 #include "core/located.h"
 #include "geometry/plane/flat_mesh.h"
 #include "geometry/plane/image_channel.h"
@@ -69,9 +70,11 @@ std::vector<ParamSpec> picture_specs() {
     return {
         {.name = "picture",
          .type = ParamType::path,
-         .doc = "A PNG, JPEG, EXR or SVG that is shape, outline and looks at once: the shape is "
-                "where its alpha is at least a half.",
+         .doc =
+             "A PNG, JPEG, EXR, HDR or SVG that is shape, outline and looks at once: the shape is "
+             "where its alpha is at least a half.",
          .optional = true},
+        layer_spec(),
         {.name = "size",
          .type = ParamType::number,
          .doc = "Longest side of the picture's outline.",
@@ -96,7 +99,8 @@ PictureShape picture_shape(const Params& component) {
                               "for example size = mm(40)");
     return located(component, "picture", [&] {
         return picture_shape(read_picture(component.text("picture"),
-                                          static_cast<int>(component.integer("resolution"))),
+                                          static_cast<int>(component.integer("resolution")),
+                                          image_options(component, "picture")),
                              component.number("size"));
     });
 }

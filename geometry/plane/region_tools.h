@@ -16,17 +16,22 @@ Region triangulate(std::vector<Ring> rings);
 /// What is inside an outline that crosses itself: where the winding number is not 0, or is odd.
 enum class FillRule { nonzero, evenodd };
 
-/// Closed outlines that may cross, overlap and touch, with the rule that fills them.
+/// Closed outlines that may cross, overlap and touch, with the rule that fills them. Of what they
+/// fill only what lies in all of the clips `within` counts, which are given by their index.
 struct FilledRings {
     std::vector<Ring> rings;
     FillRule rule = FillRule::nonzero;
+    std::vector<std::size_t> within{};
 };
+
+/// A clip is the union of what its shapes fill, whose own clips have lower indices.
+using Clips = std::vector<std::vector<FilledRings>>;
 
 /// The union of what the shapes fill, as a valid region. Points are rounded to a grid of 2^-30 of
 /// the longest side. Where parts or holes touch in a point only they are parted by cutting corners
 /// of 1e-5 of the longest side, and what is smaller than the square of that vanishes. Throws Error
 /// when nothing is filled, and for a number that is not finite.
-Region fill(std::vector<FilledRings> shapes);
+Region fill(std::vector<FilledRings> shapes, const Clips& clips = {});
 
 /// The region grown by a disk of radius `margin` [m] (Minkowski sum; for a negative margin eroded),
 /// computed exactly for a regular 32-gon in place of the disk: circumscribed when growing,

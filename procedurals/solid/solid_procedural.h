@@ -62,10 +62,12 @@ template <class Settings, auto Function, auto InLanes = nullptr>
 class SolidProcedural : public Procedural {
   public:
     SolidProcedural(std::shared_ptr<const FractalLattice> lattice, const Settings& settings,
-                    const SolidKernel& kernel)
-        : lattice_(std::move(lattice)), settings_(settings), kernel_(kernel) {}
+                    const SolidKernel& kernel, bool scales_with_object)
+        : lattice_(std::move(lattice)), settings_(settings), kernel_(kernel),
+          scales_with_object_(scales_with_object) {}
 
     bool solid() const override { return true; }
+    bool scales_with_object() const override { return scales_with_object_; }
 
     void evaluate(std::span<const ShadingPoint> points,
                   std::span<ShadingSample> samples) const override {
@@ -91,6 +93,7 @@ class SolidProcedural : public Procedural {
     std::shared_ptr<const FractalLattice> lattice_;
     Settings settings_;
     SolidKernel kernel_;
+    bool scales_with_object_;
     typename SolidFunction<Settings, Function>::Type function_ =
         SolidFunction<Settings, Function>::best();
 };

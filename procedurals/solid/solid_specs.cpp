@@ -2,6 +2,7 @@
 #include "procedurals/solid/solid_specs.h"
 
 #include "core/random.h"
+#include "model/procedural.h"
 
 #include <cmath>
 
@@ -87,6 +88,7 @@ std::vector<ParamSpec> solid_specs(std::vector<ParamSpec> specs) {
          .doc =
              "Every instance of a generator, and every object, uses another part of the texture.",
          .fallback = false},
+        scale_with_object_spec(),
         {.name = "seed",
          .type = ParamType::integer,
          .doc = "Another seed gives another piece of the same material.",

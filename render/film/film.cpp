@@ -15,8 +15,9 @@ double pixel_luminance(const double* rgb) { // ITU-R BT.709
 
 } // namespace
 
-Film::Film(int width, int height)
-    : width_(width), height_(height), pixels_(std::size_t(width) * std::size_t(height)) {}
+Film::Film(int width, int height, const WideVec3& origin)
+    : width_(width), height_(height), origin_(origin),
+      pixels_(std::size_t(width) * std::size_t(height)) {}
 
 bool Film::add(int x, int y, const PathSample& sample, float depth) {
     Pixel& pixel = pixels_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
@@ -24,7 +25,8 @@ bool Film::add(int x, int y, const PathSample& sample, float depth) {
         if (!(std::isfinite(sample.radiance[c]) && sample.radiance[c] >= 0))
             return false;
     if (pixel.count++ == 0) {
-        pixel.position = sample.position;
+        if (sample.covered)
+            pixel.position = Vec3(WideVec3(sample.position) + origin_);
         pixel.depth = sample.covered ? depth : 0;
         pixel.instance = sample.instance + 1; // PathSample::none becomes 0
     }

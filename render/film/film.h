@@ -12,7 +12,8 @@ namespace scree {
 /// Different pixels may be written by different threads.
 class Film {
   public:
-    Film(int width, int height);
+    /// `origin` is added to the samples' positions (see World).
+    Film(int width, int height, const WideVec3& origin = WideVec3(0));
 
     int width() const { return width_; }
     int height() const { return height_; }
@@ -55,6 +56,7 @@ class Film {
 
     int width_;
     int height_;
+    WideVec3 origin_;
     std::vector<Pixel> pixels_;
 };
 

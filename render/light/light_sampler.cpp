@@ -46,7 +46,8 @@ float AreaSampler::pdf(const Vec3& direction, float distance) const {
 }
 
 LightSample AreaSampler::sample(const Vec3& point, const Vec2f& u) const {
-    const Vec3 target = light_.centre + light_.edge_u * (u.x - 0.5F) + light_.edge_v * (u.y - 0.5F);
+    const Vec3 target =
+        Vec3(light_.centre) + light_.edge_u * (u.x - 0.5F) + light_.edge_v * (u.y - 0.5F);
     const Vec3 way = target - point;
     const float distance = std::sqrt(way.dot(way));
     LightSample sample;
@@ -60,7 +61,7 @@ LightSample AreaSampler::sample(const Vec3& point, const Vec2f& u) const {
 }
 
 float AreaSampler::irradiance(const Vec3& point) const {
-    const Vec3 way = light_.centre - point;
+    const Vec3 way = Vec3(light_.centre) - point;
     const float height = -way.dot(normal_); // above the light's plane
     if (!(height > 0))
         return 0;

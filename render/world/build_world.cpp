@@ -79,9 +79,36 @@ void World::State::collect(const std::shared_ptr<const Mesh>& mesh, const Aggreg
 
 void World::State::collect(const std::shared_ptr<const Strands>& /*strands*/, const Aggregate& of,
                            const Prototype& prototype) {
-    throw Error(Diagnostic{of.where, of.generator,
+    throw Error(Diagnostic{of.where, title(of),
                            prototype.name + " is of strands, which cannot be rendered yet", ""});
 }
+
+namespace {
+
+bool any_uses_uv(const Materials& materials) {
+    return std::any_of(materials.begin(), materials.end(),
+                       [](const auto& material) { return material && uses_uv(*material); });
+}
+
+/// Light that walks inside of a shape must come out where it is of the same kind.
+void check_parts(const Prototype& prototype, const Aggregate& of) {
+    const Materials& materials = prototype.materials;
+    if (materials.size() < 2)
+        return;
+    const bool walks = std::any_of(materials.begin(), materials.end(), [](const auto& material) {
+        return material && std::holds_alternative<Translucent>(*material);
+    });
+    if (walks)
+        throw Error(Diagnostic{of.where, of.generator,
+                               prototype.name + " is translucent in part; a translucent material "
+                                                "must be that of the whole mesh",
+                               ""});
+    const Mesh* mesh = prototype.mesh();
+    assert(mesh == nullptr || mesh->parts.empty() ||
+           *std::max_element(mesh->parts.begin(), mesh->parts.end()) < materials.size());
+}
+
+} // namespace
 
 void World::State::build_mesh_trees(const Context& context) {
     parallel_for(meshes.size(), 1, [&](std::size_t i) {
@@ -93,17 +120,22 @@ void World::State::build_mesh_trees(const Context& context) {
 }
 
 void World::State::add_prototypes(std::span<const Aggregate> aggregates, const Context& context) {
-    std::map<const Material*, std::uint32_t> numbers{{nullptr, 0}};
+    std::map<Materials, std::uint32_t> numbers{{{}, 0}, {{nullptr}, 0}};
     materials.push_back(std::make_shared<const Material>(Matte{}));
     for (const Aggregate& aggregate : aggregates)
         for (const Prototype& prototype : aggregate.prototypes) {
             std::visit([&](const auto& shape) { collect(shape, aggregate, prototype); },
                        prototype.shape);
+            check_parts(prototype, aggregate);
             const auto [number, is_new] = numbers.try_emplace(
-                prototype.material.get(), static_cast<std::uint32_t>(materials.size()));
+                prototype.materials, static_cast<std::uint32_t>(materials.size()));
             if (is_new)
-                materials.push_back(prototype.material);
-            prototypes.push_back({.mesh = prototype.mesh(), .material = number->second});
+                for (const std::shared_ptr<const Material>& material : prototype.materials)
+                    materials.push_back(material ? material : materials.front());
+            prototypes.push_back({.mesh = prototype.mesh(),
+                                  .material = number->second,
+                                  .by_part = prototype.materials.size() > 1,
+                                  .uses_uv = any_uses_uv(prototype.materials)});
         }
     build_mesh_trees(context);
     for (PrototypeRecord& prototype : prototypes)
@@ -111,7 +143,6 @@ void World::State::add_prototypes(std::span<const Aggregate> aggregates, const C
             prototype.mesh_tree = &found->second;
             prototype.triangles = found->second.triangles.data();
             prototype.has_normals = !prototype.mesh->normals.empty();
-            prototype.uses_uv = uses_uv(*materials[prototype.material]);
         }
 }
 
@@ -121,7 +152,7 @@ void World::State::add_instances(std::span<const Aggregate> aggregates) {
         for (const Instance& instance : aggregate.instances) {
             assert(instance.prototype < aggregate.prototypes.size());
             const std::uint32_t index = first_prototype + instance.prototype;
-            instances.push_back(instance_record(instance, index));
+            instances.push_back(instance_record(instance, index, origin));
         }
         first_prototype += static_cast<std::uint32_t>(aggregate.prototypes.size());
     }
@@ -154,14 +185,18 @@ void World::State::commit(const Context& context) {
 }
 
 World::World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
-             const Context& context)
+             const Context& context, const WideVec3& origin)
     : state_(std::make_unique<State>()) {
+    state_->origin = origin;
     state_->open_device();
     state_->scene = state_->new_scene();
     state_->check();
     state_->add_prototypes(aggregates, context);
     state_->add_instances(aggregates);
     state_->lights.assign(lights.begin(), lights.end());
+    for (Light& light : state_->lights)
+        if (auto* area = std::get_if<AreaLight>(&light))
+            area->centre -= origin;
     state_->add_area_lights();
     state_->commit(context);
 }

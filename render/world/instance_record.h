@@ -10,7 +10,7 @@ namespace scree {
 
 /// What shading needs of an instance: 64 bytes, one cache line per hit.
 struct InstanceRecord {
-    Vec3 rows[4]; // of world_from_object
+    Vec3 rows[4]; // of world_from_object, relative to the world's origin
     std::uint32_t prototype;
     float random;
     float scale; // of lengths, mean over the axes
@@ -26,6 +26,10 @@ struct InstanceRecord {
         const Vec3 yz = rows[1].cross(rows[2]);
         return Vec3(yz.dot(v), rows[2].cross(rows[0]).dot(v), rows[0].cross(rows[1]).dot(v)) /
                rows[0].dot(yz);
+    }
+    // By what factors the object's axes are stretched.
+    Vec3 stretch() const {
+        return similar ? Vec3(scale) : Vec3(rows[0].length(), rows[1].length(), rows[2].length());
     }
     // Normals transform by the cofactors, up to a positive factor.
     Vec3 normal(const Vec3& n) const {
@@ -49,11 +53,13 @@ inline bool is_similarity(const InstanceRecord& record) {
 }
 
 /// `prototype` counts over all aggregates.
-inline InstanceRecord instance_record(const Instance& instance, std::uint32_t prototype) {
+inline InstanceRecord instance_record(const Instance& instance, std::uint32_t prototype,
+                                      const WideVec3& origin) {
     InstanceRecord record{};
-    const Matrix& m = instance.world_from_object;
+    const WideMatrix& m = instance.world_from_object;
     for (int row = 0; row < 4; ++row)
-        record.rows[row] = {m[row][0], m[row][1], m[row][2]};
+        record.rows[row] =
+            Vec3(WideVec3(m[row][0], m[row][1], m[row][2]) - (row == 3 ? origin : WideVec3(0)));
     const float volume = record.rows[0].dot(record.rows[1].cross(record.rows[2]));
     record.prototype = prototype;
     record.random = instance.random;

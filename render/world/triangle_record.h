@@ -13,6 +13,7 @@ namespace scree {
 struct alignas(64) TriangleRecord {
     Vec3 positions[3];
     std::int16_t normals[3][3]; // of unit vectors, in steps of 1 / 32767
+    std::uint16_t part;         // see Mesh::parts
 };
 
 inline std::int16_t pack_unit(float value) {
@@ -27,7 +28,8 @@ inline Vec3 unpack_normal(const std::int16_t (&n)[3]) {
 /// One record a triangle, with zero normals where the mesh has none.
 inline std::vector<TriangleRecord> triangle_records(const Mesh& mesh) {
     std::vector<TriangleRecord> records(mesh.triangles.size());
-    for (std::size_t i = 0; i < records.size(); ++i)
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        records[i].part = mesh.parts.empty() ? 0 : mesh.parts[i];
         for (int corner = 0; corner < 3; ++corner) {
             const std::uint32_t vertex = mesh.triangles[i][corner];
             records[i].positions[corner] = mesh.positions[vertex];
@@ -36,6 +38,7 @@ inline std::vector<TriangleRecord> triangle_records(const Mesh& mesh) {
             for (int axis = 0; axis < 3; ++axis)
                 records[i].normals[corner][axis] = pack_unit(mesh.normals[vertex][axis]);
         }
+    }
     return records;
 }
 

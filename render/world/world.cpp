@@ -116,7 +116,7 @@ void World::State::fill_surface(const RawHit& found, Hit& hit) const {
     hit.record = &record;
     hit.random = record.random;
     hit.instance = found.instance;
-    hit.material = prototype.material;
+    hit.material = prototype.material + (prototype.by_part ? triangle.part : 0);
     hit.light = Hit::none;
     hit.uv = {0.0F, 0.0F};
     hit.uv_per_metre = 0;
@@ -218,6 +218,7 @@ std::span<const std::shared_ptr<const Material>> World::materials() const {
     return state_->materials;
 }
 std::span<const Light> World::lights() const { return state_->lights; }
+const WideVec3& World::origin() const { return state_->origin; }
 
 std::size_t World::memory_bytes() const {
     std::size_t records = state_->instances.size() * sizeof(InstanceRecord);

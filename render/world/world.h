@@ -66,11 +66,12 @@ struct RawHit {
 /// bounding volumes in which Embree finds it. Thread-safe once built.
 class World {
   public:
-    /// Keeps the meshes alive, not the aggregates. Throws Error (resource) when Embree runs out
-    /// of memory, Error (input) for shapes that cannot be rendered (strands), Cancelled on the
-    /// context's cancel.
+    /// Rays, hits and lights are relative to `origin`: near the camera, so that what is seen there
+    /// keeps its precision however far from the scene's own origin it lies. Keeps the meshes
+    /// alive, not the aggregates. Throws Error (resource) when Embree runs out of memory, Error
+    /// (input) for shapes that cannot be rendered (strands), Cancelled on the context's cancel.
     World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
-          const Context& context = {});
+          const Context& context = {}, const WideVec3& origin = WideVec3(0));
     ~World();
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
@@ -94,7 +95,8 @@ class World {
 
     /// By Hit::material; the first is that of prototypes without a material.
     std::span<const std::shared_ptr<const Material>> materials() const;
-    std::span<const Light> lights() const;
+    std::span<const Light> lights() const; // relative to the origin
+    const WideVec3& origin() const;        // in the scene [m]
 
     Box3 bounds() const; // empty for an empty world
     std::size_t instance_count() const;

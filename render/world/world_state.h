@@ -24,9 +24,10 @@ struct MeshTree {
 struct PrototypeRecord {
     const Mesh* mesh = nullptr;
     const TriangleRecord* triangles = nullptr;
-    std::uint32_t material = 0;
+    std::uint32_t material = 0; // the first of its materials
+    bool by_part = false;       // the others follow, by the parts of the mesh
     bool has_normals = false;
-    bool uses_uv = false;                // its material does, so hits must carry it
+    bool uses_uv = false;                // a material does, so hits must carry it
     const MeshTree* mesh_tree = nullptr; // null where there is nothing to see
 };
 
@@ -43,6 +44,7 @@ struct World::State {
     std::vector<PrototypeRecord> prototypes;         // of all aggregates, one after the other
     std::vector<InstanceRecord> instances;           // likewise
     std::vector<std::shared_ptr<const Material>> materials; // first that of what has none
+    WideVec3 origin{0, 0, 0};                               // what all below is relative to
     std::vector<Light> lights;
     std::vector<std::uint32_t> light_of_quad; // of each area light, its index into `lights`
     std::vector<Vec3> light_vertices;         // four for each area light

@@ -47,6 +47,8 @@ class Checker {
             return vector2(given_.value);
         case ParamType::vector3:
             return vector3();
+        case ParamType::point3:
+            return point3();
         case ParamType::color:
             return color();
         case ParamType::range:
@@ -181,6 +183,11 @@ class Checker {
             return {};
         return Vec3(static_cast<float>(to_internal(n[0])), static_cast<float>(to_internal(n[1])),
                     static_cast<float>(to_internal(n[2])));
+    }
+
+    Value point3() {
+        const std::vector<double> n = numbers(given_.value, 3);
+        return n.empty() ? Value() : Value(WideVec3(n[0], n[1], n[2]));
     }
 
     Value color() {

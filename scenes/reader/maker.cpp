@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scenes/reader/maker.h"
 
+#include "core/file.h"
 #include "core/located.h"
 #include "geometry/plane/field.h"
 #include "scenes/reader/words.h"
@@ -34,11 +35,21 @@ const Table& fields_of(const Description& value) {
     return table == nullptr ? none : *table;
 }
 
+// How messages call it: generator.layout, or generator.layout "sweets" when it has a name.
+std::string title_of(const Description& node) {
+    const Table& fields = fields_of(node);
+    const auto field = fields.find("name");
+    const auto* name =
+        field == fields.end() ? nullptr : std::get_if<std::string>(&field->second.value->data);
+    return name == nullptr ? node.kind : fmt::format("{} \"{}\"", node.kind, *name);
+}
+
 } // namespace
 
 Params Maker::params(const Description& table, const std::string& path,
                      const std::vector<ParamSpec>& specs) {
     Params out(path, table.where);
+    out.set_warnings(mistakes_.warnings());
     if (!is_table(table)) {
         mistakes_.add(table.where, path,
                       "expected fields with names, got " +
@@ -128,7 +139,7 @@ SharedObject Maker::make(const Given& given, const Registry<MakeObject>& family)
     if (found == nullptr)
         return {};
     const std::size_t before = mistakes_.count();
-    const Params checked = params(given.value, given.value.kind, found->params);
+    const Params checked = params(given.value, title_of(given.value), found->params);
     if (mistakes_.count() != before)
         return {};
     try {
@@ -141,10 +152,25 @@ SharedObject Maker::make(const Given& given, const Registry<MakeObject>& family)
     }
 }
 
+// Items of a scene stay apart: each has a number of its own. Relative paths mean other files in
+// other folders.
+SharedObject Maker::make_or_share(const Given& given, const Registry<MakeObject>& family) {
+    if (family.family() == "generator" || family.family() == "object")
+        return make(given, family);
+    const std::string says = resolve_path("", given.value.where.file) + '\n' +
+                             to_json(given.value, {.locations = false, .indent = false});
+    if (const auto known = equal_.find(says); known != equal_.end())
+        return known->second;
+    SharedObject object = make(given, family);
+    if (object)
+        equal_.emplace(says, object);
+    return object;
+}
+
 Value Maker::made(const Given& given, const Registry<MakeObject>& family) {
     const auto [known, first] = made_.try_emplace(&given.value);
     if (first) {
-        const SharedObject object = make(given, family); // may change made_
+        const SharedObject object = make_or_share(given, family); // may change made_
         made_[&given.value] = object;
         return object ? Value(object) : Value();
     }
@@ -154,6 +180,10 @@ Value Maker::made(const Given& given, const Registry<MakeObject>& family) {
 }
 
 Value Maker::object(const Given& given, const ParamSpec& spec) {
+    if (const auto* word = std::get_if<std::string>(&given.value.data);
+        word != nullptr &&
+        std::find(spec.choices.begin(), spec.choices.end(), *word) != spec.choices.end())
+        return *word;
     const std::string_view name = family_of(given.value);
     const Registry<MakeObject>* family = catalog_.find(name);
     if (family == nullptr ||
@@ -229,6 +259,7 @@ Value Maker::records(const Given& given, const ParamSpec& spec) {
         } else if (spec.fields.size() == 1) { // palette = { {1, 0, 0} }: the only field's value
             const ParamSpec& field = spec.fields.front();
             Params one(path, where);
+            one.set_warnings(mistakes_.warnings());
             one.set(field.name, value({*item.value, where, path}, field), where);
             out.push_back(std::move(one));
         } else {

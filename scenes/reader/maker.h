@@ -9,8 +9,9 @@
 
 namespace scree {
 
-/// Checks nodes and makes their objects, once for each node. Errors are collected; the value of a
-/// parameter with errors is monostate.
+/// Checks nodes and makes their objects, once for each node and once for equal ones, which a loop
+/// in a script makes, so that sixty-four equal marbles share one lattice. Errors are collected; the
+/// value of a parameter with errors is monostate.
 class Maker {
   public:
     /// Both must outlive this.
@@ -33,11 +34,13 @@ class Maker {
 
     Value made(const Given& given, const Registry<MakeObject>& family);
     SharedObject make(const Given& given, const Registry<MakeObject>& family);
+    SharedObject make_or_share(const Given& given, const Registry<MakeObject>& family);
     const Plugin<MakeObject>* plugin(const Given& given, const Registry<MakeObject>& family);
 
     const Catalog& catalog_;
     Mistakes& mistakes_;
     std::unordered_map<const Description*, SharedObject> made_;
+    std::unordered_map<std::string, SharedObject> equal_; // by what the nodes say
 };
 
 } // namespace scree

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/error.h"
+#include "core/params.h"
 
 #include <algorithm>
 #include <tuple>
@@ -26,6 +26,9 @@ class Mistakes {
 
     /// Increases with every error: unchanged after a check means that the check found none.
     std::size_t count() const { return diagnostics_.size() + repeated_; }
+
+    /// Of what users should know although it is no mistake.
+    const std::shared_ptr<Warnings>& warnings() const { return warnings_; }
 
     /// Throws the collected errors, if any, sorted by file and line and without duplicates. Those
     /// beyond `most` are only counted.
@@ -55,6 +58,7 @@ class Mistakes {
   private:
     std::vector<Diagnostic> diagnostics_;
     std::size_t repeated_ = 0;
+    std::shared_ptr<Warnings> warnings_ = std::make_shared<Warnings>();
 };
 
 } // namespace scree

@@ -17,6 +17,7 @@ SceneDraft resolve(const DescriptionNode& root, const std::string& path, const C
     const Params params = Maker(catalog, mistakes).params(*root, "scene", scene_params());
     mistakes.throw_if_any();
     SceneDraft draft = scene_draft(params);
+    draft.warnings = mistakes.warnings();
     draft.scene.name = file_name(path);
     draft.scene.settings = to_json(*root, {.locations = false, .indent = false});
     draft.scene.hash = hash_bytes(draft.scene.settings);

@@ -83,6 +83,7 @@ std::string type_in_words(const ParamSpec& spec) {
     case ParamType::vector2:
         return "{x, z}";
     case ParamType::vector3:
+    case ParamType::point3:
         return "{x, y, z}";
     case ParamType::color:
         return "{r, g, b} or a number";
@@ -95,7 +96,7 @@ std::string type_in_words(const ParamSpec& spec) {
     case ParamType::function:
         return "a function(x, z)";
     case ParamType::object:
-        return "a " + kinds_in_words(spec.families, " or ");
+        return "a " + objects_in_words(spec);
     case ParamType::field:
         return "a field.* or a number";
     case ParamType::record:

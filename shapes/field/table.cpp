@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapes/table.h"
 
+#include "core/image_params.h"
 #include "core/located.h"
 #include "geometry/plane/image_channel.h"
 #include "shapes/field/grid_field.h"
@@ -72,8 +73,9 @@ FieldPointer laid_out(const Params& params, SampleGrid grid, bool at_border) {
 }
 
 FieldPointer image_field(const Params& params) {
-    const Image image =
-        located(params, "path", [&] { return read_data_image(params.text("path")); });
+    const Image image = located(params, "path", [&] {
+        return read_data_image(params.text("path"), image_options(params, "path"));
+    });
     SampleGrid grid{.columns = image.width, .rows = image.height};
     grid.values =
         located(params, "channel", [&] { return channel_values(image, params.text("channel")); });
@@ -96,7 +98,8 @@ Plugin<MakeField> image_plugin() {
     return {"image",
             "An image stretched over the ground, its top row on the far side (-z); values as "
             "stored, without colour conversion, interpolated bilinearly between pixels.",
-            {{.name = "path", .type = ParamType::path, .doc = "A PNG, JPEG or EXR."},
+            {{.name = "path", .type = ParamType::path, .doc = "A PNG, JPEG, EXR or HDR."},
+             layer_spec(),
              extent("width", "Of the whole image along x."),
              extent("depth", "Of the whole image along z."),
              {.name = "channel",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shapes/region/image_region.h"
 
+#include "core/image_params.h"
 #include "core/located.h"
 #include "geometry/plane/image_channel.h"
 #include "geometry/plane/image_outline.h"
@@ -18,8 +19,9 @@ constexpr std::size_t max_outline_points = 500'000; // more take minutes to tria
 
 /// The traced outlines in pixels, and the size of the image.
 std::vector<Ring> traced(const Params& params, int& width, int& height) {
-    const Image image =
-        located(params, "path", [&] { return read_data_image(params.text("path")); });
+    const Image image = located(params, "path", [&] {
+        return read_data_image(params.text("path"), image_options(params, "path"));
+    });
     width = image.width;
     height = image.height;
     const bool opaque = params.text("channel") == "a" && !has_alpha(image);
@@ -91,7 +93,8 @@ Plugin<MakeRegion> image_region_plugin() {
         "image",
         "The outline of what is opaque in an image, or bright in one without alpha; the "
         "image's top row on the far side (-z).",
-        {{.name = "path", .type = ParamType::path, .doc = "A PNG, JPEG or EXR."},
+        {{.name = "path", .type = ParamType::path, .doc = "A PNG, JPEG, EXR or HDR."},
+         layer_spec(),
          length("size", "Longest side of the outline, whose middle is moved to the origin; 1 m "
                         "when neither it nor width or depth is given."),
          length("width", "Of the whole image along x, its middle at the origin; from depth "

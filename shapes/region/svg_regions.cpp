@@ -23,32 +23,45 @@ double longest_side(const Box2& box) {
     return std::max(box.size().x, box.size().y);
 }
 
-std::vector<FilledRings> flattened(const std::vector<SvgShape>& shapes, double tolerance) {
+/// Flattens shapes within `tolerance`; counts their points.
+std::vector<FilledRings> flattened(const std::vector<SvgShape>& shapes, double tolerance,
+                                   std::size_t& points) {
     std::vector<FilledRings> out;
-    std::size_t points = 0;
+    out.reserve(shapes.size());
     for (const SvgShape& shape : shapes)
-        out.push_back({shape.path.flatten(tolerance, points, max_svg_points), shape.rule});
+        out.push_back(
+            {shape.path.flatten(tolerance, points, max_svg_points), shape.rule, shape.within});
     if (points > max_svg_points)
         throw Error(
             fmt::format("has more than {} points; give a larger tolerance", max_svg_points));
     return out;
 }
 
+Region filled(const SvgDrawing& drawing, double tolerance) {
+    std::size_t points = 0;
+    std::vector<FilledRings> shapes = flattened(drawing.shapes, tolerance, points);
+    Clips clips;
+    clips.reserve(drawing.clips.size());
+    for (const std::vector<SvgShape>& clip : drawing.clips)
+        clips.push_back(flattened(clip, tolerance, points));
+    return fill(std::move(shapes), clips);
+}
+
 /// The union of the shapes in the drawing's units. Curves are flattened with an error of at most
 /// `tolerance` times the longest side.
-Region drawn(const std::vector<SvgShape>& shapes, double tolerance) {
+Region drawn(const SvgDrawing& drawing, double tolerance) {
     Box2 control;
-    for (const SvgShape& shape : shapes)
+    for (const SvgShape& shape : drawing.shapes)
         control.extendBy(shape.path.control_box());
     const double longest = longest_side(control);
     if (!(longest > 0))
         throw Error("draws nothing that is filled");
-    const Region region = fill(flattened(shapes, tolerance * longest));
-    // The bounds of the control points may be much larger than those of the curves.
+    Region region = filled(drawing, tolerance * longest);
+    // The bounds of the control points may be much larger than those of what is seen.
     const double drawn_longest = longest_side(bounds(region));
     if (drawn_longest > 0.999 * longest)
         return region;
-    return fill(flattened(shapes, tolerance * drawn_longest));
+    return filled(drawing, tolerance * drawn_longest);
 }
 
 /// The region in metres, placed according to the parameters size, scale and centred.
@@ -106,11 +119,12 @@ std::vector<ParamSpec> with_size(std::vector<ParamSpec> params, std::string scal
 
 Region svg(const Params& params) {
     const std::string element = params.has("element") ? params.text("element") : std::string();
-    const std::vector<SvgShape> shapes =
-        located(params, "path", [&] { return read_svg(params.text("path"), element); });
+    const Warn warn = [&](const std::string& message) { params.warn("path", message); };
+    const SvgDrawing drawing =
+        located(params, "path", [&] { return read_svg(params.text("path"), element, warn); });
     const Region region = located(params, "path", [&] {
         try {
-            return drawn(shapes, params.number("tolerance"));
+            return drawn(drawing, params.number("tolerance"));
         } catch (const Error& error) {
             throw Error(params.text("path") + ": " + error.diagnostics().front().message);
         }
@@ -122,7 +136,8 @@ Region path(const Params& params) {
     const FillRule rule =
         params.text("fill_rule") == "evenodd" ? FillRule::evenodd : FillRule::nonzero;
     const Region region = located(params, "d", [&] {
-        return drawn({{parse_path_data(params.text("d")), rule}}, params.number("tolerance"));
+        return drawn({{{parse_path_data(params.text("d")), rule, {}}}, {}},
+                     params.number("tolerance"));
     });
     return placed(params, region, 0);
 }
@@ -131,7 +146,8 @@ Region path(const Params& params) {
 
 Plugin<MakeRegion> svg_region_plugin() {
     return {"svg",
-            "What an SVG drawing fills: its paths and basic shapes; its y, which points down, "
+            "What an SVG drawing fills and shows: its paths and basic shapes; its y, which points "
+            "down, "
             "becomes z.",
             with_size({{.name = "path", .type = ParamType::path, .doc = "An SVG file."},
                        {.name = "element",

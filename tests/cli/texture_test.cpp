@@ -235,8 +235,10 @@ TEST_F(MarbleCli, ReportsErrorsInTheScene) {
                  "color is a procedural.*\n  scree list shows what there is\n");
     expect_error("marble.lua -o a.png", 2,
                  "marble.lua: the objects 2, 3, 4, 5, 6 have a procedural; choose one\n"
-                 "  for example --object 2, counted in the order of scene.objects\n");
-    expect_error("marble.lua -o a.png --object 7", 2, "--object 7: marble.lua has 6 objects\n");
+                 "  for example --object 2, counted in the order of scene.objects, or its name\n");
+    expect_error("marble.lua -o a.png --object 7", 2,
+                 "--object 7: expected the name of an object of marble.lua, or a number from 1 to "
+                 "6\n");
     expect_error("marble.lua -o a.png --object 1", 1,
                  "marble.lua:4: object.material: object 1 has no procedural; expected a material "
                  "whose color is a procedural.*\n");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact error messages of invalid scenes: cases/NAME.lua (or .json) must fail with the text of
-// cases/NAME.txt. A script's first lines may contain `--! set name=value`, `--! seconds 0.3` or
+// The exact error messages of invalid scenes: cases/NAME.lua (or .json) must fail, or warn, with
+// the text of cases/NAME.txt. A script's first lines may contain `--! set name=value`, `--! seconds
+// 0.3` or
 // `--! memory 32` (MiB). SCREE_UPDATE_ERRORS=1 updates the .txt files.
 #include "core/file.h"
 #include "scenes/reader/scene.h"
@@ -51,7 +52,8 @@ ScriptOptions options_of(const std::string& script) {
     return options;
 }
 
-std::string message_of(const std::string& name) {
+// The error of a scene, or its warnings.
+std::string text_of(const std::string& name) {
     try {
         static const Catalog catalog = standard_catalog();
         ScriptOptions options = options_of(read_file(name));
@@ -59,16 +61,24 @@ std::string message_of(const std::string& name) {
         const DescriptionNode root =
             name.ends_with(".json") ? read_description(name, options.overrides, options.families)
                                     : run_script(name, options);
-        for (const auto& item : resolve(root, name, catalog).items)
+        const SceneDraft draft = resolve(root, name, catalog);
+        for (const auto& item : draft.items)
             item->bake({}, 0);
+        std::string text;
+        for (const Diagnostic& warning : *draft.warnings)
+            text += "warning: " + warning.text() + "\n";
+        return text.empty() ? "no error\n" : text;
     } catch (const Error& error) {
-        std::string text = std::string(error.what()) + "\n";
-        const std::string here = fs::current_path().string() + "/";
-        for (std::size_t at = 0; (at = text.find(here)) != std::string::npos;)
-            text.erase(at, here.size());
-        return text;
+        return std::string(error.what()) + "\n";
     }
-    return "no error\n";
+}
+
+std::string message_of(const std::string& name) {
+    std::string text = text_of(name);
+    const std::string here = fs::current_path().string() + "/";
+    for (std::size_t at = 0; (at = text.find(here)) != std::string::npos;)
+        text.erase(at, here.size());
+    return text;
 }
 
 class ErrorMessage : public testing::TestWithParam<std::string> {};

@@ -53,9 +53,8 @@ Mesh torus(float radius, float tube) {
     return mesh;
 }
 
-Vec2 placed(const Matrix& m, const Vec2& v) {
-    return {v.x * double(m[0][0]) + v.y * double(m[2][0]) + double(m[3][0]),
-            v.x * double(m[0][2]) + v.y * double(m[2][2]) + double(m[3][2])};
+Vec2 placed(const WideMatrix& m, const Vec2& v) {
+    return {v.x * m[0][0] + v.y * m[2][0] + m[3][0], v.x * m[0][2] + v.y * m[2][2] + m[3][2]};
 }
 
 Point point(const Vec2& v) { return {v.x, v.y}; }
@@ -161,7 +160,7 @@ TEST_P(LayoutExact, RegionsAreApartAndInside) {
         if (scaled)
             params.set("scale", is_hard ? Range{0.95, 1} : Range{0.2, 1.5});
         params.set("epsilon", is_hard ? 0.1 : 0.02);
-        const Aggregate aggregate = layout_plugin().make(params, {});
+        const Aggregate aggregate = layout_plugin().make(params)({});
         std::vector<Element> elements;
         for (const Instance& instance : aggregate.instances)
             elements.push_back(element_of(aggregate, instance));
@@ -188,7 +187,7 @@ TEST(LayoutExactMixed, SmallThingsMayLieInRings) {
     params.set("method", std::string("naive"));
     params.set("scale", Range{0.3, 1.0});
     params.set("cancellations", std::int64_t{20000});
-    const Aggregate aggregate = layout_plugin().make(params, {});
+    const Aggregate aggregate = layout_plugin().make(params)({});
     std::vector<Element> elements;
     for (const Instance& instance : aggregate.instances)
         elements.push_back(element_of(aggregate, instance));
@@ -214,7 +213,7 @@ TEST(LayoutExactMixed, OnATorusImagesAreApartToo) {
         params.set("method", method);
         params.set("torus", true);
         params.set("cancellations", std::int64_t{method == "naive" ? 10000 : 200});
-        const Aggregate aggregate = layout_plugin().make(params, {});
+        const Aggregate aggregate = layout_plugin().make(params)({});
         EXPECT_TRUE(aggregate.torus);
         std::vector<Element> elements;
         std::size_t across = 0;
@@ -222,8 +221,8 @@ TEST(LayoutExactMixed, OnATorusImagesAreApartToo) {
             for (int y = 0; y <= 1; ++y)
                 for (int x = 0; x <= 1; ++x) {
                     Instance image = instance;
-                    image.world_from_object[3][0] += 2.5F * float(x);
-                    image.world_from_object[3][2] += 2.0F * float(y);
+                    image.world_from_object[3][0] += 2.5 * double(x);
+                    image.world_from_object[3][2] += 2.0 * double(y);
                     elements.push_back(element_of(aggregate, image));
                 }
             const Box2 box = elements[elements.size() - 4].box;
@@ -237,7 +236,7 @@ TEST(LayoutExactMixed, OnATorusImagesAreApartToo) {
 TEST(LayoutExactMixed, TheTestDetectsAnOverlap) {
     const auto domain = shared({rectangle_ring(2, 2)});
     Params params = tests::layout_params(domain, {tests::component(0, cases()[0].shape)});
-    Aggregate aggregate = layout_plugin().make(params, {});
+    Aggregate aggregate = layout_plugin().make(params)({});
     // An element moved onto its neighbour must be counted.
     aggregate.instances[1].world_from_object = aggregate.instances[0].world_from_object;
     std::vector<Element> elements;

@@ -18,7 +18,7 @@
 
 namespace scree {
 
-Plugin<Bake> line_plugin();
+Plugin<Generator> line_plugin();
 Plugin<MakeProcedural> layers_plugin();
 Plugin<MakeMaterial> dust_plugin();
 SceneFormat csv_format();
@@ -45,7 +45,7 @@ std::string temporary_file(const std::string& ending) {
 template <typename Use>
 auto with_baked(Use use) {
     Catalog catalog = standard_catalog();
-    Registry<Bake> generators("generator");
+    Registry<Generator> generators("generator");
     generators.add(line_plugin());
     catalog.add(generator_items(generators));
     Registry<MakeProcedural> procedurals("procedural");
@@ -73,12 +73,12 @@ TEST(Examples, TheGeneratorPlacesItsCopies) {
     const Aggregate& line = scene.aggregates.front();
     ASSERT_EQ(line.instances.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i)
-        EXPECT_FLOAT_EQ(line.instances[i].world_from_object[3][0], 0.2F * float(i));
+        EXPECT_NEAR(line.instances[i].world_from_object[3][0], 0.2 * double(i), 1e-6);
 }
 
 TEST(Examples, TheProceduralIsFilteredOverThePixel) {
     const Scene scene = baked();
-    const Material& material = *scene.aggregates[1].prototypes[0].material;
+    const Material& material = *scene.aggregates[1].prototypes[0].materials.front();
     const Procedural& layers = *paint_of(material)->texture.procedural;
     EXPECT_TRUE(layers.solid());
     ShadingPoint point;
@@ -98,7 +98,7 @@ TEST(Examples, TheMaterialScattersAsItsFormulaSays) {
     const Scene scene = baked();
     const std::vector<Light> lights{Sky{}};
     const World world({&scene.aggregates[2], 1}, lights);
-    const Camera camera{.from = {0, 1, 0}, .at = Vec3(0), .up = {0, 0, 1}, .fov = 0.01F};
+    const Camera camera{.from = {0, 1, 0}, .at = WideVec3(0), .up = {0, 0, 1}, .fov = 0.01F};
     const FilmSettings film{.width = 8, .height = 8, .samples = 256, .depth = 2};
     const Image picture = render(world, camera, film, {}).film.beauty();
     Imath::V3d mean(0);

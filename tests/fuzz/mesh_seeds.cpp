@@ -2,6 +2,7 @@
 #include "tests/fuzz/mesh_seeds.h"
 
 #include "formats/read_mesh.h"
+#include "tests/support/gltf_builder.h"
 #include "tests/support/mesh_bytes.h"
 
 namespace scree {
@@ -20,6 +21,28 @@ std::string ply_ascii() {
            "property float y\nproperty double z\nproperty uchar red\nelement face 4\n"
            "property list uchar int vertex_indices\nelement edge 1\nproperty int a\nend_header\n"
            "0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n7\n";
+}
+
+std::string ply_strips() {
+    return "ply\rformat ascii 1.0\relement vertex 5\rproperty double x\rproperty double y\r"
+           "property double z\rproperty float s\rproperty float t\relement tristrips 1\r"
+           "property list int int vertex_indices\relement face 1\r"
+           "property list uchar uint vertex_index\rend_header\r"
+           "5e6 0 0 0 0\r5e6 1 0 0 1\r5000001 0 0 1 0\r5000001 1 0 1 1\r5000000.5 0.5 0 0 0\r"
+           "9 0 1 2 3 3 -1 0 1 4\r5 0 2 3 4 1\r";
+}
+
+// Faces of many corners: concave, with a bridge to a hole, and one that crosses itself.
+std::string obj_faces() {
+    return "\xef\xbb\xbfv 0 0 0\nv\t4 0 0\n v 4 4 0 \\\n\nv 0 4 0\nv 1 1 0 1 .5 .5\nv 1 3 0\n"
+           "v 3 3 0\nv 3 1 0\nf 1 2 3 4 1 5 6 7 8 5\nf -8 -7 -4 -6 -5\nf 1// 3// \\\n2// 4//\nl 1 "
+           "2\n";
+}
+
+std::string stl_words() {
+    return "\n Solid of two\r\nFACET NORMAL 0 0 1\tOUTER LOOP VERTEX 0 0 0 VERTEX 1e0 0 0 "
+           "vertex 1 1 0 vertex 0 1 0 endloop endfacet\nendsolid of two\nsolid\nfacet outer loop\n"
+           "vertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\nendsolid\n";
 }
 
 std::string ply_binary(bool big) {
@@ -54,18 +77,48 @@ std::string gltf_json(const std::string& buffer) {
 {"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
 }
 
-std::string base64(const std::string& bytes) {
-    constexpr const char* digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) { // complete groups of three bytes only
-        std::uint32_t triple = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            triple = triple << 8 | static_cast<unsigned char>(bytes[i + k]);
-        for (int shift = 18; shift >= 0; shift -= 6)
-            out += digits[triple >> shift & 63];
-    }
-    return out;
+// Of everything that a file can have: strips, morphs, a skin, instances, sparse data, materials.
+GltfBuilder rich_gltf() {
+    GltfBuilder file;
+    Json strip = file.square();
+    strip["mode"] = 5;
+    strip["attributes"]["NORMAL"] = file.points({4, Vec3(0, 1, 0)});
+    strip["attributes"]["TEXCOORD_0"] =
+        file.numbers<std::uint8_t>(5121, 2, {0, 0, 255, 0, 0, 255, 255, 255}, true);
+    strip["attributes"]["JOINTS_0"] =
+        file.numbers<std::uint8_t>(5121, 4, {0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0});
+    strip["attributes"]["WEIGHTS_0"] =
+        file.floats(4, {1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0});
+    const int change = file.accessor({{"componentType", 5126}, {"count", 4}, {"type", "VEC3"}});
+    const int at = file.view(std::string("\1\3", 2));
+    const int values = file.view(std::string(24, '\x3f'));
+    file.json["accessors"][std::size_t(change)]["sparse"] = {
+        {"count", 2},
+        {"indices", {{"bufferView", at}, {"componentType", 5121}}},
+        {"values", {{"bufferView", values}}}};
+    strip["targets"] = {{{"POSITION", change}}};
+    strip["material"] = 0;
+    file.mesh(strip);
+    file.json["meshes"][0]["weights"] = {0.5};
+    file.mesh(file.corner());
+    file.json["skins"] = {{{"joints", {1, 2}}}};
+    file.node({{"mesh", 0}, {"skin", 0}});
+    file.node({{"children", {2}}, {"rotation", {0, 0, 0.6, 0.8}}});
+    file.node({{"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, -2, 0, 1, 2, 3, 1}}});
+    const Json attributes = {{"TRANSLATION", file.floats(3, {0, 0, 0, 9, 0, 0})}};
+    file.node({{"mesh", 1},
+               {"scale", {1, 0, 1}},
+               {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}}}});
+    file.scene({0, 1, 3});
+    file.json["images"] = {{{"bufferView", 0}}};
+    file.json["samplers"] = {{{"wrapS", 33071}}};
+    file.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
+    file.json["materials"] = {
+        {{"pbrMetallicRoughness",
+          {{"baseColorFactor", {1, 0, 0, 1}},
+           {"baseColorTexture",
+            {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"rotation", 1}}}}}}}}}}};
+    return file;
 }
 
 std::string gltf() {
@@ -82,13 +135,18 @@ MeshSeed seed(const std::string& name, const std::string& ending, std::string by
 
 std::vector<MeshSeed> mesh_seeds() {
     return {seed("obj", "obj", obj()),
+            seed("obj_faces", "obj", obj_faces()),
             seed("ply_ascii", "ply", ply_ascii()),
+            seed("ply_strips", "ply", ply_strips()),
             seed("ply_little", "ply", ply_binary(false)),
             seed("ply_big", "ply", ply_binary(true)),
             seed("stl_ascii", "stl", stl_ascii()),
+            seed("stl_words", "stl", stl_words()),
             seed("stl_binary", "stl", stl_binary()),
             seed("gltf", "gltf", gltf()),
             seed("glb", "glb", glb_of(gltf_json(""))),
+            seed("gltf_rich", "gltf", rich_gltf().text()),
+            seed("glb_rich", "glb", rich_gltf().binary()),
             seed("3ds", "3ds", three_ds())};
 }
 

@@ -22,7 +22,15 @@ M2 2c1 0 1 1 0 1s-1-1 0-1"/><rect x="1" y="2" width="5" height="3" rx="1"/></g>
 <circle cx="4" cy="5" r="2" style="fill:none"/><svg x="1" viewBox="0 0 5 5" width="4" height="4">
 <polygon points="0,0 5,0 5,5 1 4"/></svg><ellipse rx="3" ry="2"/></svg>)svg",
         R"svg(<svg><defs><path id="p" d="M0,0L9,9L9,0L0,9z"/></defs><polyline points="0 0 1 5 3 2"/>
-<path transform="matrix(1 .5 -.5 1 3 4)" d="m1e1-1.5.5.5C1 2 3 4 5 6S3 2 1 0zl3 3H8V2Z"/></svg>)svg"};
+<path transform="matrix(1 .5 -.5 1 3 4)" d="m1e1-1.5.5.5C1 2 3 4 5 6S3 2 1 0zl3 3H8V2Z"/></svg>)svg",
+        R"svg(<svg viewBox="0 0 30 30"><style>/*a*/ .a, g > rect:not(.b) { fill : none !important }
+@media screen { #c { transform: rotate(.1turn) scale(2, 50%); transform-box: fill-box } }</style>
+<clipPath id="k" clipPathUnits="objectBoundingBox"><circle cx=".5" cy=".5" r="50%"/></clipPath>
+<linearGradient id="l"><stop stop-color="#1234" stop-opacity="50%"/></linearGradient>
+<symbol id="s" viewBox="0 0 4 4"><rect class="b" width="4" height="9"/></symbol>
+<switch><g systemLanguage="xx"/><g id="c" clip-path="url(#k)"><rect class="b" x="1em" width="9"
+height="50%" fill="url(#l) red"/></g></switch><use href="#s" x="3" width="6" height="6"/>
+<rect class="a" width="30" height="30" style="opacity:var(--o, .5)"/></svg>)svg"};
     return all;
 }
 
@@ -48,6 +56,14 @@ const std::vector<std::string> pieces{"nan",
                                       "rotate(1e9)",
                                       "%",
                                       "mm",
+                                      "url(#k)",
+                                      "url(#c)",
+                                      "#s",
+                                      "{",
+                                      "}",
+                                      ";",
+                                      "!important",
+                                      "var(--o)",
                                       std::string(3, '\xff'),
                                       std::string(2, '\0'),
                                       "<!--",
@@ -55,15 +71,23 @@ const std::vector<std::string> pieces{"nan",
                                       "<!DOCTYPE q [<!ENTITY e \"e\">]>"};
 
 void read_and_fill(const std::string& bytes) {
-    std::vector<FilledRings> shapes;
+    const SvgDrawing drawing = read_svg_text(bytes, "");
     std::size_t points = 0;
-    for (const SvgShape& shape : read_svg_text(bytes, "")) {
-        const Box2 box = shape.path.control_box();
-        const double tolerance = 0.01 * std::max(box.size().x, box.size().y);
-        if (tolerance > 0)
-            shapes.push_back({shape.path.flatten(tolerance, points, 100'000), shape.rule});
-    }
-    const Region region = fill(std::move(shapes));
+    const auto flattened = [&](const std::vector<SvgShape>& shapes) {
+        std::vector<FilledRings> out;
+        for (const SvgShape& shape : shapes) {
+            const Box2 box = shape.path.control_box();
+            const double tolerance = 0.01 * std::max(box.size().x, box.size().y);
+            if (tolerance > 0)
+                out.push_back(
+                    {shape.path.flatten(tolerance, points, 100'000), shape.rule, shape.within});
+        }
+        return out;
+    };
+    Clips clips;
+    for (const std::vector<SvgShape>& clip : drawing.clips)
+        clips.push_back(flattened(clip));
+    const Region region = fill(flattened(drawing.shapes), clips);
     for (const Ring& ring : region.rings)
         for (const Vec2& v : ring)
             ASSERT_TRUE(std::isfinite(v.x) && std::isfinite(v.y));

@@ -25,7 +25,7 @@ inline Matrix placed(const Vec3& position, const Vec3& turn = Vec3(0.0F), float 
 inline Instance instance(std::uint32_t prototype, const Matrix& matrix) {
     Instance out;
     out.prototype = prototype;
-    out.world_from_object = matrix;
+    out.world_from_object = WideMatrix(matrix);
     return out;
 }
 

@@ -8,7 +8,7 @@
 namespace scree::tests {
 
 inline Params component_defaults(std::size_t index) {
-    const Plugin<Bake> plugin = layout_plugin();
+    const Plugin<Generator> plugin = layout_plugin();
     for (const ParamSpec& spec : plugin.params)
         if (spec.name == "components")
             return defaults(spec.fields,

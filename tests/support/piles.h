@@ -132,7 +132,7 @@ void expect_same_on_any_threads(const Bake& bake) {
         ASSERT_EQ(pile.instances.size(), piles[0].instances.size());
         for (std::size_t i = 0; i < pile.instances.size(); ++i)
             ASSERT_EQ(std::memcmp(&pile.instances[i].world_from_object,
-                                  &piles[0].instances[i].world_from_object, sizeof(Matrix)),
+                                  &piles[0].instances[i].world_from_object, sizeof(WideMatrix)),
                       0);
     }
 }

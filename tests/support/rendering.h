@@ -87,10 +87,10 @@ struct Stage {
         aggregate.generator = "object";
         Prototype prototype;
         prototype.shape = std::make_shared<Mesh>(mesh);
-        prototype.material = std::make_shared<const Material>(material);
+        prototype.materials = {std::make_shared<const Material>(material)};
         aggregate.prototypes.push_back(prototype);
         Instance instance;
-        instance.world_from_object = matrix;
+        instance.world_from_object = WideMatrix(matrix);
         aggregate.instances.push_back(instance);
         aggregates.push_back(aggregate);
     }

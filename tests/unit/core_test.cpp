@@ -65,6 +65,30 @@ TEST(NearestName, FindsTyposAndRejectsUnrelatedNames) {
     EXPECT_EQ(nearest_name("sed", names), "seed");
     EXPECT_EQ(nearest_name("thickness", names), "");
     EXPECT_EQ(did_you_mean("scael", names), "did you mean scale?");
+    EXPECT_EQ(did_you_mean("x", names), ""); // one letter is near to everything
+}
+
+TEST(NearestName, IgnoresCaseAndSeparators) {
+    const std::vector<std::string> names{"x", "y", "z", "thin_film"};
+    EXPECT_EQ(nearest_name("Z", names), "z");
+    EXPECT_EQ(nearest_name("ThinFilm", names), "thin_film");
+    EXPECT_EQ(nearest_name("thin-film", names), "thin_film");
+}
+
+TEST(NearestName, KnowsOtherWordsForTheSameThing) {
+    const std::vector<std::string> shapes{"disk", "sphere", "box", "plane", "torus"};
+    EXPECT_EQ(nearest_name("circle", shapes), "disk");
+    EXPECT_EQ(nearest_name("Cube", shapes), "box");
+    EXPECT_EQ(nearest_name("ball", shapes), "sphere");
+    EXPECT_EQ(nearest_name("donut", shapes), "torus");
+    EXPECT_EQ(nearest_name("centre", std::vector<std::string>{"center"}), "center");
+    EXPECT_EQ(nearest_name("tetrahedron", shapes), "");
+}
+
+TEST(NearestName, CompletesTheOnlyNameThatBeginsSo) {
+    const std::vector<std::string> names{"roughness", "rotation", "resolution"};
+    EXPECT_EQ(nearest_name("rough", names), "roughness");
+    EXPECT_EQ(nearest_name("ro", names), ""); // two begin so, and it is short
 }
 
 // Known answers of the Random123 distribution (kat_vectors: philox4x32 10).

@@ -20,7 +20,7 @@ Params bar_component() {
 Aggregate bars_on(const Mesh& mesh, std::size_t components) {
     Params params = tests::elements_params(std::vector<Params>(components, bar_component()));
     params.set("surface", std::make_shared<const Mesh>(mesh), {"scene.lua", 9});
-    return elements_plugin().make(params, {});
+    return elements_plugin().make(params)({});
 }
 
 Vec3 middle(const Instance& instance) {

@@ -37,7 +37,7 @@ Params elements(const Ring& domain, std::vector<Params> components) {
     return params;
 }
 
-Aggregate bake(const Params& params) { return elements_plugin().make(params, {}); }
+Aggregate bake(const Params& params) { return elements_plugin().make(params)({}); }
 
 Vec2 position(const Instance& instance) {
     return ground_point(Vec2(0.0), instance.world_from_object);

@@ -67,7 +67,7 @@ TEST(Fabrication, VolumeOfOverlappingBallsIsThatOfTheirUnion) {
 
 TEST(Fabrication, PartsApartAreRemovedOrKept) {
     Aggregate aggregate = two_balls(0.03F);
-    aggregate.instances[1].world_from_object = placed({0.03F, 0, 0}, Vec3(0.0F), 0.5F);
+    aggregate.instances[1].world_from_object = WideMatrix(placed({0.03F, 0, 0}, Vec3(0.0F), 0.5F));
     FabricationOptions options;
     options.resolution = 0.5 * mm;
     const double large = 4.0 / 3 * pi * 1e-6;

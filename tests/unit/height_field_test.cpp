@@ -113,7 +113,7 @@ TEST_F(HeightFile, ComesBackAsItWas) {
         const ExrFile file = read_exr(path("a.exr"));
         EXPECT_EQ(file.metadata, (Metadata{{"scree:scene", "x.lua"}}));
         EXPECT_TRUE(file.parts.front().full_float);
-        EXPECT_EQ(read_image(path("a.exr")).pixels, field.image.pixels);
+        EXPECT_EQ(read_data_image(path("a.exr")).pixels, field.image.pixels);
     }
 }
 
@@ -132,7 +132,7 @@ TEST_F(HeightFile, WrongFilesAreNamed) {
     EXPECT_EQ(message_of("two.exr"),
               path("two.exr") + ": is not a height map: expected channel Y, or R, G and B");
     write_file(path("text.exr"), "no image");
-    EXPECT_EQ(message_of("text.exr"), path("text.exr") + ": is not a PNG, JPEG or EXR image");
+    EXPECT_EQ(message_of("text.exr"), path("text.exr") + ": is not a PNG, JPEG, EXR or HDR image");
 }
 
 } // namespace

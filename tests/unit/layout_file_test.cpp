@@ -39,8 +39,7 @@ Aggregate two_frames(bool torus) {
         const Vec2 x = rotate({instance.scale, 0}, instance.angle);
         const Vec2 z = rotate({0, instance.scale}, instance.angle);
         instance.world_from_object =
-            Matrix(float(x.x), 0, float(x.y), 0, 0, float(instance.scale), 0, 0, float(z.x), 0,
-                   float(z.y), 0, float(at.x), 0, float(at.y), 1);
+            WideMatrix(x.x, 0, x.y, 0, 0, instance.scale, 0, 0, z.x, 0, z.y, 0, at.x, 0, at.y, 1);
         aggregate.instances.push_back(instance);
     }
     return aggregate;

@@ -28,7 +28,7 @@ using tests::layout_params;
 using tests::region_of;
 
 std::string message_of(const Params& params) {
-    return error_of([&] { layout_plugin().make(params, {}); });
+    return error_of([&] { layout_plugin().make(params)({}); });
 }
 
 bool same(const Aggregate& a, const Aggregate& b) {
@@ -56,21 +56,21 @@ TEST(Layout, IsTheSameOnAnyThreadsAndDevice) {
         Aggregate one;
         {
             const ThreadLimit limit(1);
-            one = layout_plugin().make(params, {});
+            one = layout_plugin().make(params)({});
         }
         const ThreadLimit limit(2);
         EXPECT_GT(one.instances.size(), 20U);
-        EXPECT_TRUE(same(one, layout_plugin().make(params, {})));
+        EXPECT_TRUE(same(one, layout_plugin().make(params)({})));
         Device device;
-        EXPECT_TRUE(same(one, layout_plugin().make(params, {.device = &device})));
+        EXPECT_TRUE(same(one, layout_plugin().make(params)({.device = &device})));
         Params other = params;
         other.set("seed", std::int64_t{1});
-        EXPECT_FALSE(same(one, layout_plugin().make(other, {})));
+        EXPECT_FALSE(same(one, layout_plugin().make(other)({})));
     }
 }
 
 TEST(Layout, MatrixPutsTheRegionsCentreAtThePosition) {
-    const Matrix matrix = world_from_element({2, 3}, {10, 20}, pi / 2, 2, 0.5);
+    const WideMatrix matrix = world_from_element({2, 3}, {10, 20}, pi / 2, 2, 0.5);
     const Vec3 centre = transform_point(matrix, {2, 0, 3});
     EXPECT_NEAR(double((centre - Vec3(10, 0.5F, 20)).length()), 0, 1e-5);
     // One to the right of it, turned from +x towards +z and twice as far.
@@ -83,7 +83,7 @@ TEST(Layout, FactsAddUp) {
     std::vector<Params> components = params.list("components");
     components[0].set("margin", 0.02);
     params.set("components", std::make_shared<const std::vector<Params>>(components));
-    const Aggregate aggregate = layout_plugin().make(params, {});
+    const Aggregate aggregate = layout_plugin().make(params)({});
     double bare = 0;
     for (const Instance& instance : aggregate.instances)
         bare +=
@@ -101,7 +101,7 @@ TEST(Layout, AnglesAndScalesAreKeptInDouble) {
     params.set("rotation", Range{0.3, 0.3});
     params.set("scale", Range{0.7, 0.7});
     params.set("max_count", std::int64_t{3});
-    const Aggregate aggregate = layout_plugin().make(params, {});
+    const Aggregate aggregate = layout_plugin().make(params)({});
     ASSERT_EQ(aggregate.instances.size(), 3U);
     for (const Instance& instance : aggregate.instances) {
         EXPECT_EQ(instance.angle, 0.3);
@@ -354,7 +354,7 @@ TEST(LayoutErrors, KeepTheKindOfAFaultThatIsNotTheInputs) {
         params.set("cancellations", std::int64_t{3000});
         params.set("max_count", std::int64_t{1000000});
         try {
-            layout_plugin().make(params, context);
+            layout_plugin().make(params)(context);
             ADD_FAILURE() << method;
         } catch (const Error& error) {
             EXPECT_EQ(error.fault(), Fault::resource) << method;
@@ -366,8 +366,8 @@ TEST(LayoutErrors, KeepTheKindOfAFaultThatIsNotTheInputs) {
 TEST(Layout, CanBeCancelled) {
     Cancel cancel;
     cancel.request();
-    EXPECT_THROW(layout_plugin().make(two_shapes("naive"), {.cancel = &cancel}), Cancelled);
-    EXPECT_THROW(layout_plugin().make(two_shapes("fill_gap"), {.cancel = &cancel}), Cancelled);
+    EXPECT_THROW(layout_plugin().make(two_shapes("naive"))({.cancel = &cancel}), Cancelled);
+    EXPECT_THROW(layout_plugin().make(two_shapes("fill_gap"))({.cancel = &cancel}), Cancelled);
 }
 
 } // namespace

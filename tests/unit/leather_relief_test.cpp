@@ -101,7 +101,7 @@ TEST_P(Preset, IsTheSameOnAnyNumberOfThreads) {
     Aggregate made[2];
     for (const int threads : {1, 2}) {
         const ThreadLimit limit(threads);
-        made[threads - 1] = leather_plugin().make(leather(GetParam()), {});
+        made[threads - 1] = leather_plugin().make(leather(GetParam()))({});
     }
     const auto same_bytes = [](const auto& a, const auto& b) {
         return a.size() == b.size() &&

@@ -20,12 +20,12 @@ using tests::request;
 TEST(Leather, TheFileHoldsTheHeightsOfTheSwatchThatIsRendered) {
     Params params = leather("coarse_grain", 64);
     params.set("triangles", std::int64_t{2 * 128 * 128}); // every second vertex on a pixel's centre
-    const Aggregate made = leather_plugin().make(params, {});
+    const Aggregate made = leather_plugin().make(params)({});
     const std::string path =
         (std::filesystem::temp_directory_path() / "scree-leather-swatch.exr").string();
     write_height(path, *made.height);
     const HeightField map = read_height(path);
-    const Image raw = read_image(path);
+    const Image raw = read_data_image(path);
     std::filesystem::remove(path);
     const Mesh& mesh = *made.prototypes[0].mesh();
     ASSERT_EQ(mesh.positions.size(), 129U * 129);
@@ -48,14 +48,16 @@ TEST(Leather, TheFileHoldsTheHeightsOfTheSwatchThatIsRendered) {
 TEST(Leather, TheSwatchHasCutEdgesWhenItIsThick) {
     Params params = leather("pebbled", 64);
     params.set("thickness", 0.002);
+    constexpr std::size_t side = 62; // the most cells for which grid and walls are not too many
     params.set("triangles", std::int64_t{2 * 64 * 64});
-    const Mesh mesh = *leather_plugin().make(params, {}).prototypes[0].mesh();
-    EXPECT_EQ(mesh.triangles.size(), 2U * 64 * 64 + 4 * 2 * 64);
+    const Mesh mesh = *leather_plugin().make(params)({}).prototypes[0].mesh();
+    EXPECT_EQ(mesh.triangles.size(), 2 * side * side + 4 * 2 * side);
+    EXPECT_LE(mesh.triangles.size(), 2U * 64 * 64);
     const Box3 box = bounds(mesh);
     EXPECT_EQ(box.min.y, 0);
     EXPECT_GT(box.max.y, 0.002F);
     const MeshFacts facts = inspect(mesh);
-    EXPECT_EQ(facts.boundary_edges, 4U * 64) << "open at the bottom only";
+    EXPECT_EQ(facts.boundary_edges, 4 * side) << "open at the bottom only";
     EXPECT_EQ(facts.non_manifold_edges, 0U);
     for (const Mesh::Triangle& t : mesh.triangles) { // every face looks the way its normals do
         const Vec3 face = (mesh.positions[t[1]] - mesh.positions[t[0]])
@@ -111,7 +113,7 @@ TEST(Leather, AClosedMeshStaysClosedAndTheTileKeepsItsSize) {
         HeightField field = leather_relief(request(preset("coarse_grain"), 128, 0.02), {});
         const Mesh displaced = displaced_mesh(field, mesh, 60000);
         EXPECT_GT(displaced.triangles.size(), 30000U) << plugin.name;
-        EXPECT_LT(displaced.triangles.size(), 150000U) << plugin.name;
+        EXPECT_LE(displaced.triangles.size(), 60000U) << plugin.name;
         const MeshFacts before = inspect(mesh), after = inspect(displaced);
         ASSERT_TRUE(before.closed()) << plugin.name;
         EXPECT_TRUE(after.closed())
@@ -128,7 +130,7 @@ TEST(Leather, AMeshWithoutUvsIsNamed) {
     bare.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
     Params params = leather("pebbled", 64);
     params.set("shape", std::make_shared<const Mesh>(bare), {"scene.lua", 12});
-    EXPECT_EQ(tests::error_of([&] { leather_plugin().make(params, {}); }),
+    EXPECT_EQ(tests::error_of([&] { leather_plugin().make(params)({}); }),
               "scene.lua:12: generator.leather.shape: bare.obj has no UVs to lay the leather on");
 }
 
@@ -137,7 +139,7 @@ TEST(Leather, CanBeCancelled) {
     cancel.request();
     Context context;
     context.cancel = &cancel;
-    EXPECT_THROW(leather_plugin().make(leather("reptile"), context), Cancelled);
+    EXPECT_THROW(leather_plugin().make(leather("reptile"))(context), Cancelled);
 }
 
 } // namespace

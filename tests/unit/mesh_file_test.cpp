@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "tests/support/mesh_bytes.h"
+#include "tests/support/mesh_text.h"
 
 #include <gtest/gtest.h>
 
@@ -125,16 +126,6 @@ TEST_F(MeshFile, ReadsEveryKind) {
     EXPECT_EQ(read_mesh((folder_ / "a.obj").string()).name, "a.obj");
 }
 
-TEST_F(MeshFile, GltfNodesTransform) {
-    const Mesh moved = read_mesh(write(
-        "a.glb",
-        glb(R"({"mesh":0,"translation":[5,0,0],"rotation":[0,0,0.70710678,0.70710678],"scale":[2,2,2]})")));
-    // Scaled, then rotated by 90 degrees about z (x to y), then translated.
-    EXPECT_TRUE(bounds(moved).min.equalWithAbsError(Vec3(3, 0, 0), 1e-5F)) << bounds(moved).min;
-    EXPECT_TRUE(bounds(moved).max.equalWithAbsError(Vec3(5, 2, 2), 1e-5F)) << bounds(moved).max;
-    EXPECT_NEAR(volume(moved), 8.0 / 6, 1e-5);
-}
-
 TEST_F(MeshFile, KeepsNormalsAndUvs) {
     const Mesh mesh = read_mesh(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\n"
                                                "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1/1 2/2/1 3/3/1\n"));
@@ -164,19 +155,21 @@ TEST_F(MeshFile, Errors) {
     EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1e30 0\n3 0 1 2\n"),
               "a.ply: vertex 2 lies more than 1e12 away");
     EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
-              "a.ply: a face names vertex 3 of 3");
+              "a.ply: line 13: a face names vertex 3 of 3");
     EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
-              "a.ply: face 0 has an index out of range");
+              "a.ply: line 13: a face names vertex -1 of 3");
     EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n0 1 0\n200 0 1 2\n"),
-              "a.ply: it has a list of an impossible length");
-    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 zero\n"), "a.ply: \"zero\" is not a number");
-    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n"), "a.ply: it ends too early");
+              "a.ply: line 13: a list has an impossible length");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 zero\n"),
+              "a.ply: line 11: \"zero\" is not a number");
+    EXPECT_EQ(problem("a.ply", head + "0 0 0\n1 0 0\n"),
+              "a.ply: line 11: the file ends too early: its header counts 3 rows of vertex");
     EXPECT_EQ(problem("a.ply", "ply\nformat ascii 1.0\n"), "a.ply: its header has no end");
     EXPECT_EQ(problem("a.ply", ""), "a.ply: it is not a PLY file");
     EXPECT_EQ(problem("a.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
               "a.obj: line 1: \"nan\" is not a number");
     EXPECT_EQ(problem("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"),
-              "a.obj: a face names vertex 9 of 3");
+              "a.obj: line 4: a face names vertex 9 of 3");
     EXPECT_EQ(problem("a.obj", "v 0 0 0\n"), "a.obj: it has no triangles");
     EXPECT_EQ(problem("a.obj", ""), "a.obj: it has no triangles");
     EXPECT_EQ(problem("a.stl", "cut" + stl_binary("solid but binary").substr(3, 197)),
@@ -189,43 +182,58 @@ TEST_F(MeshFile, Errors) {
               "none.obj: no such file");
 }
 
+// A 3DS file of a mesh with the given number of vertices and of texture coordinates, as its chunks
+// count them, of which there are four and three.
+std::string three_ds_counting(std::uint16_t vertices, std::uint16_t uvs) {
+    std::string points;
+    put(points, vertices);
+    for (const auto& p : corner_points)
+        for (const float x : p)
+            put(points, x);
+    std::string map;
+    put(map, uvs);
+    map.append(3 * 8, '\0');
+    std::string face;
+    put(face, std::uint16_t{1});
+    for (const int i : {0, 1, 2, 0})
+        put(face, static_cast<std::uint16_t>(i));
+    const std::string mesh = chunk(0x4100, chunk(0x4110, points) + chunk(0x4120, face) +
+                                               (uvs > 0 ? chunk(0x4140, map) : ""));
+    return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("a\0", 2) + mesh)));
+}
+
+TEST_F(MeshFile, CountsOf3dsChunks) {
+    EXPECT_EQ(problem("a.3ds", three_ds_counting(4, 0)), "no error");
+    EXPECT_EQ(problem("a.3ds", three_ds_counting(5, 0)),
+              "a.3ds: a chunk counts 5 vertices, there is room for 4");
+    EXPECT_EQ(problem("a.3ds", three_ds_counting(3, 0)),
+              "a.3ds: a chunk counts 3 vertices, there is room for 4");
+    EXPECT_EQ(problem("a.3ds", three_ds_counting(4, 9)),
+              "a.3ds: a chunk counts 9 texture coordinates, there is room for 3");
+    EXPECT_EQ(file_facts("a.3ds", three_ds_counting(4, 3)),
+              "1 triangles; 3 texture coordinates for 4 vertices are not read");
+}
+
 TEST_F(MeshFile, HugeCountsAreRefusedAtOnce) {
     const std::string vertices = "property float x\nproperty float y\nproperty float z\n";
     EXPECT_EQ(problem("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex "
                                "18446744073709551615\n" +
                                    vertices + "end_header\n1234"),
-              "a.ply: it ends too early");
+              "a.ply: vertex 0: the file ends too early");
     EXPECT_EQ(problem("a.ply", "ply\nformat ascii 1.0\nelement nothing 18446744073709551615\n"
                                "element vertex 1\n" +
                                    vertices + "end_header\n0 0 0\n"),
-              "a.ply: it has no triangles");
+              "a.ply: it has no triangles; not read: 18446744073709551615 rows of element "
+              "\"nothing\"");
     std::string list = "ply\nformat binary_little_endian 1.0\nelement vertex 1\n" + vertices +
                        "element face 1\nproperty list double int vertex_indices\nend_header\n" +
                        std::string(12, '\0');
     put(list, 1e18);
-    EXPECT_EQ(problem("a.ply", list), "a.ply: it has a list of an impossible length");
+    EXPECT_EQ(problem("a.ply", list), "a.ply: face 0: a list has an impossible length");
     std::string stl(80, ' ');
     put(stl, std::numeric_limits<std::uint32_t>::max());
     EXPECT_EQ(problem("a.stl", stl), "a.stl: it ends too early: its header promises 4294967295 "
                                      "triangles, there is room for 0");
-}
-
-TEST_F(MeshFile, GltfDamage) {
-    EXPECT_EQ(problem("a.glb", "glTF"), "a.glb: it ends too early");
-    EXPECT_NE(problem("a.gltf", "{}"), "no error");
-    EXPECT_NE(problem("a.gltf", "not json"), "no error");
-    EXPECT_EQ(problem("a.gltf", std::string(100000, '[')), "a.gltf: its JSON is nested too deeply");
-    EXPECT_EQ(problem("a.glb", glb(R"({"children":[0]})")),
-              "a.glb: its nodes are nested too deeply, or in a ring");
-    EXPECT_EQ(problem("a.glb", glb(R"({"mesh":7})")), "a.glb: a mesh is missing");
-    EXPECT_NE(problem("a.gltf", gltf_json(R"("uri":"none.bin",)", R"({"mesh":0})")), "no error");
-    EXPECT_NE(problem("a.gltf", gltf_json(R"("uri":"/dev/zero",)", R"({"mesh":0})")), "no error");
-    std::string broken = glb(R"({"mesh":0})");
-    broken[broken.size() - 1] = '\x40';
-    EXPECT_EQ(problem("a.glb", broken), "a.glb: a face names vertex 16387 of 4");
-    std::string far = glb(R"({"mesh":0})");
-    far.replace(far.find("\"count\":12"), 10, "\"count\":99");
-    EXPECT_EQ(problem("a.glb", far), "a.glb: an accessor reaches beyond its buffer");
 }
 
 TEST_F(MeshFile, ManyCornersAreOneFaceAndNoHang) {
@@ -237,9 +245,7 @@ TEST_F(MeshFile, ManyCornersAreOneFaceAndNoHang) {
             "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
         face += " " + std::to_string(i + 1);
     }
-    const std::string said = problem("a.obj", polygon + face + "\n");
-    EXPECT_TRUE(said == "no error" || said == "a.obj: it has a face of more than 255 corners")
-        << said;
+    EXPECT_EQ(read_mesh(write("a.obj", polygon + face + "\n")).triangles.size(), 298U);
 
     std::string fan = "ply\nformat ascii 1.0\nelement vertex 200000\nproperty float x\n"
                       "property float y\nproperty float z\nelement face 1\n"
@@ -249,7 +255,7 @@ TEST_F(MeshFile, ManyCornersAreOneFaceAndNoHang) {
         fan += std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
         corners += " " + std::to_string(i);
     }
-    Mesh mesh = read_mesh(write("fan.ply", fan + corners + "\n"));
+    Mesh mesh = read_mesh(write("fan.ply", fan + corners + "\n")); // it crosses itself often
     compute_normals(mesh, 1);
     for (const Vec3& n : mesh.normals)
         ASSERT_NEAR(n.length(), 1.0F, 1e-4F);

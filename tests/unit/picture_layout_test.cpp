@@ -154,10 +154,10 @@ TEST(PictureLayout, ATorusIsOnePeriodWithoutASeam) {
     const Image tile = drawn(aggregate, 400);
     ASSERT_EQ(tile.height, 300);
     for (Instance& instance : aggregate.instances) {
-        float& x = instance.world_from_object[3][0];
-        float& z = instance.world_from_object[3][2];
-        x += x < 0 ? 0.2F : -0.2F;
-        z += z < 0 ? 0.15F : -0.15F;
+        double& x = instance.world_from_object[3][0];
+        double& z = instance.world_from_object[3][2];
+        x += x < 0 ? 0.2 : -0.2;
+        z += z < 0 ? 0.15 : -0.15;
     }
     Picture moved = waves;
     // The background moved by half a period, sampled again.

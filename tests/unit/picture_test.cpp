@@ -96,7 +96,7 @@ TEST(Picture, MistakesNameTheFile) {
     EXPECT_EQ(message(large).find(large + ": is too large: 200000 x 200000"), 0U) << message(large);
 
     const std::string text = folder.write("text.png", "no picture at all");
-    EXPECT_EQ(message(text), text + ": is not a PNG, JPEG or EXR image");
+    EXPECT_EQ(message(text), text + ": is not a PNG, JPEG, EXR or HDR image");
     const std::string outside =
         folder.write("outside.svg", svg("<image xlink:href='https://example.org/a.png'/>"));
     EXPECT_EQ(message(outside), outside +

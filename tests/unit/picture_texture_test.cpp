@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // procedural.image, alone and in the renderer's hits.
 #include "core/random.h"
-#include "procedurals/image.h"
+#include "model/picture_texture.h"
 #include "procedurals/table.h"
 #include "tests/support/pictures.h"
 #include "tests/support/plugin_params.h"
@@ -62,7 +62,7 @@ TEST(ImageTexture, IsUprightAndFiltered) {
                                }),
                     {},
                     {}};
-    const auto texture = picture_texture(picture);
+    const auto texture = picture_texture(picture.image);
     EXPECT_EQ(color_at(*texture, {0.5F, 0.9F}).y, 1.0F); // the top
     EXPECT_NEAR(color_at(*texture, {0.5F, 0.5F}, 1).x, 0.5F, 0.05F);
     EXPECT_NEAR(color_at(*texture, {0.5F, 0.5F}, 1).y, 0.5F, 0.05F);

@@ -93,7 +93,7 @@ Params flowing_pile(Params flow) {
 
 TEST(PileFlow, ComponentsLieAlongIt) {
     const Aggregate pile =
-        pile_plugin().make(flowing_pile(flow_params("about", Vec3(0, 1, 0))), {});
+        pile_plugin().make(flowing_pile(flow_params("about", Vec3(0, 1, 0))))({});
     ASSERT_GT(pile.instances.size(), 50U);
     for (const Instance& instance : pile.instances) {
         const Vec3 u = transform_direction(instance.world_from_object, {1, 0, 0});
@@ -109,7 +109,7 @@ TEST(PileFlow, RotationIsAddedToIt) {
     Params params = flowing_pile(flow_params("direction", Vec3(0, 0, 1)));
     params.set("rotation", Vec3(0, 0.5F, 0));
     double most = 0;
-    for (const Instance& instance : pile_plugin().make(params, {}).instances) {
+    for (const Instance& instance : pile_plugin().make(params)({}).instances) {
         const Vec3 u = transform_direction(instance.world_from_object, {1, 0, 0});
         const Vec3 v = transform_direction(instance.world_from_object, {0, 1, 0});
         if (std::abs(v.z) > 0.99F)

@@ -35,18 +35,18 @@ Params shaped_pile() {
 
 /// Bakes the pile at the origin and elsewhere; expects the same pile, moved.
 void expect_moved_alike(Params params) {
-    const Aggregate here = pile_plugin().make(params, {});
-    const Vec3 position(0.3F, -0.2F, 0.5F);
+    const Aggregate here = pile_plugin().make(params)({});
+    const WideVec3 position(0.3, -0.2, 0.5);
     params.set("position", position);
     params.set("turn", 0.7);
-    const Aggregate there = pile_plugin().make(params, {});
-    const Matrix world =
-        Matrix().setAxisAngle(Vec3(0, 1, 0), 0.7F) * Matrix().setTranslation(position);
+    const Aggregate there = pile_plugin().make(params)({});
+    const WideMatrix world =
+        WideMatrix().setAxisAngle(WideVec3(0, 1, 0), 0.7) * WideMatrix().setTranslation(position);
     ASSERT_GT(here.instances.size(), 10U);
     ASSERT_EQ(there.instances.size(), here.instances.size());
     for (std::size_t i = 0; i < here.instances.size(); ++i)
         EXPECT_TRUE(there.instances[i].world_from_object.equalWithAbsError(
-            here.instances[i].world_from_object * world, 1e-6F))
+            here.instances[i].world_from_object * world, 1e-6))
             << i;
 }
 
@@ -54,12 +54,12 @@ TEST(PileFrame, FloorCutAndFlowMoveWithTheTarget) {
     const Params params = shaped_pile();
     expect_moved_alike(params);
     // The floor does make a difference.
-    const std::size_t count = pile_plugin().make(params, {}).instances.size();
+    const std::size_t count = pile_plugin().make(params)({}).instances.size();
     for (const auto& [name, value] : std::vector<std::pair<std::string, Value>>{
              {"floor", 0.02}, {"support", std::string("none")}}) {
         Params other = params;
         other.set(name, value);
-        EXPECT_NE(pile_plugin().make(other, {}).instances.size(), count) << name;
+        EXPECT_NE(pile_plugin().make(other)({}).instances.size(), count) << name;
     }
 }
 

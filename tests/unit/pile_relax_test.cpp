@@ -70,14 +70,14 @@ TEST(PileRelax, APushBesideTheCentreTurns) {
 
 TEST(PileRelax, NoGrainIsDeepInAnother) {
     const Mesh mesh = rice();
-    const Aggregate pile = pile_plugin().make(relaxed(ball(0.006), "solid"), {});
+    const Aggregate pile = pile_plugin().make(relaxed(ball(0.006), "solid"))({});
     ASSERT_GT(pile.instances.size(), 10U);
     EXPECT_LE(tests::deepest_vertex(pile, mesh), 0.02 * tests::body_of(mesh)->radius);
 }
 
 TEST(PileRelax, LeavesLittleOverlap) {
     for (const char* fill : {"surface", "solid"}) {
-        const Aggregate pile = pile_plugin().make(relaxed(ball(0.015), fill), {});
+        const Aggregate pile = pile_plugin().make(relaxed(ball(0.015), fill))({});
         EXPECT_GT(pile.instances.size(), 200U);
         EXPECT_GT(fact(pile, "start_depth_mean"), 0.3); // as strewn
         EXPECT_LE(fact(pile, "depth_max"), 0.02);
@@ -88,7 +88,7 @@ TEST(PileRelax, LeavesLittleOverlap) {
 TEST(PileRelax, SkinStaysWithinItsRange) {
     constexpr double radius = 0.012;
     const Imath::V3d centre(0, radius, 0); // it stands on y = 0
-    const Aggregate pile = pile_plugin().make(relaxed(ball(radius), "surface"), {});
+    const Aggregate pile = pile_plugin().make(relaxed(ball(radius), "surface"))({});
     const PileKind kind = tests::kind_of(rice(), 3, 2);
     ASSERT_GT(pile.instances.size(), 20U);
     for (const Instance& instance : pile.instances) {
@@ -106,7 +106,7 @@ TEST(PileRelax, SameBytesOnAnyNumberOfThreads) {
     for (const char* fill : {"surface", "solid"}) {
         SCOPED_TRACE(fill);
         tests::expect_same_on_any_threads(
-            [&] { return pile_plugin().make(relaxed(ball(0.008), fill), {}); });
+            [&] { return pile_plugin().make(relaxed(ball(0.008), fill))({}); });
     }
 }
 

@@ -194,7 +194,7 @@ TEST(PileSettle, SameBytesOnAnyNumberOfThreads) {
         Params params = tests::pile_params(ball(0.008), {tests::pile_component(rice())});
         params.set("cover", 0.8);
         params.set("settle", std::int64_t{12});
-        return pile_plugin().make(params, {});
+        return pile_plugin().make(params)({});
     });
 }
 

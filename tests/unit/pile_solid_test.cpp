@@ -56,9 +56,9 @@ TEST(PileSolid, FillsTheInsideAndNothingOutside) {
     const Aggregate skin = [&] {
         Params surface = params;
         surface.set("fill", std::string("surface"));
-        return pile_plugin().make(surface, {});
+        return pile_plugin().make(surface)({});
     }();
-    const Aggregate pile = pile_plugin().make(params, {});
+    const Aggregate pile = pile_plugin().make(params)({});
     const PileKind kind = tests::kind_of(component_mesh("rice", {}), 3, 2);
     int deep = 0;
     for (const Instance& instance : pile.instances) {
@@ -75,7 +75,7 @@ TEST(PileSolid, FillsTheInsideAndNothingOutside) {
     EXPECT_LT(fact(pile, "volume_overlap"), 0.001);
 
     params.set("shells", std::int64_t{1});
-    EXPECT_EQ(pile_plugin().make(params, {}).instances.size(), skin.instances.size());
+    EXPECT_EQ(pile_plugin().make(params)({}).instances.size(), skin.instances.size());
 }
 
 // At seed 0 the sites of one component on the surface used to be those of another on a shell.
@@ -125,7 +125,7 @@ TEST(PileSolid, CountsAreOfWhatTheCutLeaves) {
         tests::pile_params(ball(0.01), {tests::pile_component(component_mesh("rice", {})),
                                         tests::pile_component(ball(0.001))});
     cut_at(0.002F, params);
-    const Aggregate half = pile_plugin().make(params, {});
+    const Aggregate half = pile_plugin().make(params)({});
     std::array<double, 2> counted{0, 0};
     for (const Instance& instance : half.instances)
         ++counted.at(instance.prototype);
@@ -137,9 +137,9 @@ TEST(PileSolid, CountsAreOfWhatTheCutLeaves) {
 
 TEST(PileSolid, CutLeavesWhatIsBelowThePlane) {
     Params params = solid_params(0.01);
-    const Aggregate whole = pile_plugin().make(params, {});
+    const Aggregate whole = pile_plugin().make(params)({});
     cut_at(0.01F, params);
-    const Aggregate half = pile_plugin().make(params, {});
+    const Aggregate half = pile_plugin().make(params)({});
     const Vec3 origin = tests::body_of(component_mesh("rice", {}))->origin;
     std::size_t below = 0;
     for (const Instance& instance : whole.instances)
@@ -149,7 +149,7 @@ TEST(PileSolid, CutLeavesWhatIsBelowThePlane) {
 }
 
 TEST(PileSolid, SameBytesOnAnyNumberOfThreads) {
-    tests::expect_same_on_any_threads([] { return pile_plugin().make(solid_params(0.008), {}); });
+    tests::expect_same_on_any_threads([] { return pile_plugin().make(solid_params(0.008))({}); });
 }
 
 } // namespace

@@ -324,15 +324,15 @@ TEST(PileSupport, ReportedAndRemovedByTheGenerator) {
     params.set("rotation", Vec3(2 * pi_f));
     params.set("contact", 0.05);
     params.set("support", std::string("report"));
-    const Aggregate all = pile_plugin().make(params, {});
+    const Aggregate all = pile_plugin().make(params)({});
     ASSERT_GT(tests::fact(all, "falling"), 0);
     params.set("support", std::string("remove"));
-    const Aggregate left = pile_plugin().make(params, {});
+    const Aggregate left = pile_plugin().make(params)({});
     EXPECT_EQ(tests::fact(left, "count"), tests::fact(all, "count") - tests::fact(all, "falling"));
     // With a floor far below, all components float.
     params.set("adhesive", false);
     params.set("floor", -1.0);
-    EXPECT_EQ(pile_plugin().make(params, {}).instances.size(), 0U);
+    EXPECT_EQ(pile_plugin().make(params)({}).instances.size(), 0U);
 }
 
 } // namespace

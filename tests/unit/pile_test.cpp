@@ -22,7 +22,7 @@ Mesh cube() {
 }
 Mesh ball(double radius) { return component_mesh("sphere", {{"radius", radius}}); }
 
-Aggregate bake(Params params) { return pile_plugin().make(params, {}); }
+Aggregate bake(Params params) { return pile_plugin().make(params)({}); }
 
 Params turned_at_random(Params params) {
     params.set("rotation", Vec3(2 * pi_f));

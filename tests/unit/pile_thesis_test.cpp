@@ -196,7 +196,7 @@ TEST(PileThesis, LeavesWhatItsMeasureDoesNotSee) {
                                        {tests::pile_component(tests::component_mesh("rice", {}))});
     params.set("method", std::string("thesis"));
     params.set("spacing", 1.8);
-    const Aggregate pile = pile_plugin().make(params, {});
+    const Aggregate pile = pile_plugin().make(params)({});
     EXPECT_GT(tests::fact(pile, "volume_overlap"), 0.1);
 }
 

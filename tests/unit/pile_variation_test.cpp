@@ -144,7 +144,7 @@ Aggregate varied_pile(int shapes) {
     Params params =
         tests::pile_params(component_mesh("sphere", {{"radius", 0.012}}), {varied_rice(shapes)});
     params.set("rotation", Vec3(2 * pi_f));
-    return pile_plugin().make(params, {});
+    return pile_plugin().make(params)({});
 }
 
 TEST(PileVariation, APileOfAllShapesThatHardlyOverlap) {
@@ -167,7 +167,7 @@ TEST(PileVariation, ShapesDependOnComponentAndSeed) {
                                            {varied_rice(shapes), varied_rice(shapes)});
         params.set("seed", seed);
         params.set("measure", std::int64_t{0});
-        return pile_plugin().make(params, {}).prototypes;
+        return pile_plugin().make(params)({}).prototypes;
     };
     std::set<float> seen; // where the first vertex lies
     for (const std::int64_t seed : {0, 1, shapes})

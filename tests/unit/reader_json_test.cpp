@@ -92,8 +92,8 @@ TEST(ReaderJson, ResolveMakesSharedObjectsOnce) {
     const Prototype first = draft.items[0]->bake({}, 0).prototypes[0];
     const Prototype last = draft.items[4]->bake({}, 4).prototypes[0];
     EXPECT_EQ(first.mesh(), last.mesh());
-    EXPECT_NE(first.material, nullptr);
-    EXPECT_EQ(first.material, last.material);
+    ASSERT_EQ(first.materials.size(), 1U);
+    EXPECT_EQ(first.materials, last.materials);
     EXPECT_TRUE(draft.scene.camera);
     EXPECT_EQ(draft.scene.lights.size(), 2U);
 }

@@ -55,13 +55,22 @@ DVec3 direction(const DMatrix& m, const DVec3& v) {
     return result;
 }
 
+/// By what factors a matrix stretches the object's axes.
+DVec3 stretch_of(const Matrix& matrix) {
+    const DMatrix m = wide(matrix);
+    DVec3 out;
+    for (int axis = 0; axis < 3; ++axis)
+        out[axis] = DVec3(m[axis][0], m[axis][1], m[axis][2]).length();
+    return out;
+}
+
 // A hit on the unit sphere of an object at its point `p`.
 struct Placed {
     Placed(const Matrix& matrix, const DVec3& p) : inverse(wide(matrix).inverse()) {
         Instance instance;
-        instance.world_from_object = matrix;
+        instance.world_from_object = WideMatrix(matrix);
         instance.random = 0.625F;
-        record = instance_record(instance, 0);
+        record = instance_record(instance, 0, WideVec3(0));
         hit.record = &record;
         hit.random = record.random;
         hit.object_position = narrow(p);
@@ -88,7 +97,14 @@ TEST(Paint, FilterLiesOnTheSurfaceInTheObjectsFrame) {
             if (trial % 10 == 1)
                 ray = ray.cross(placed.hit.normal).normalized();
             const float width = 0.01F;
-            const ShadingPoint point = shading_point(placed.hit, ray, width);
+            const bool in_metres = trial % 2 == 0;
+            const ShadingPoint point = shading_point(
+                placed.hit, ray, width, in_metres ? TextureUnit::world : TextureUnit::object);
+            const DVec3 stretch = in_metres ? stretch_of(matrix) : DVec3(1.0);
+            for (int axis = 0; axis < 3; ++axis)
+                ASSERT_NEAR(double(point.position[axis]),
+                            double(placed.hit.object_position[axis]) * stretch[axis],
+                            1e-5 * stretch[axis]);
             const DVec3 across = wide(point.across);
             const DVec3 along = wide(point.along);
             ASSERT_LE(across.length(), along.length() * (1 + 1e-5));
@@ -103,9 +119,10 @@ TEST(Paint, FilterLiesOnTheSurfaceInTheObjectsFrame) {
             level = level.length() > 1e-4 ? level.normalized() : n.cross(wide(point.across));
             level.normalize();
             const double cosine = std::max(1.0 / 64, std::abs(n.dot(d)));
-            const DVec3 a = direction(placed.inverse, level * double(width));
+            const DVec3 a = direction(placed.inverse, level * double(width)) * stretch;
             const DVec3 b =
-                direction(placed.inverse, level.cross(n).normalized() * (double(width) / cosine));
+                direction(placed.inverse, level.cross(n).normalized() * (double(width) / cosine)) *
+                stretch;
             if (trial % 10 == 0 && !placed.record.similar)
                 continue; // any pair of directions is as good, so there is nothing to compare with
             const double size = b.dot(b) + a.dot(a);
@@ -149,9 +166,41 @@ TEST(Paint, BentNormalIsThatOfTheRaisedSurface) {
             DVec3 expected = (raised(x) - raised(-x)).cross(raised(y) - raised(-y)).normalized();
             if (expected.dot(wide(placed.hit.normal)) < 0)
                 expected = -expected;
-            const DVec3 found = wide(bent_normal(placed.hit, narrow(slope(p))));
+            const DVec3 found =
+                wide(bent_normal(placed.hit, narrow(slope(p)), TextureUnit::object));
             ASSERT_LT((found - expected).length(), 2e-4);
             most = std::max(most, (found - wide(placed.hit.normal)).length());
+        }
+    EXPECT_GT(most, 0.3) << "too flat to tell anything";
+}
+
+// As above, but the height is in metres of the world, above a place given in them.
+TEST(Paint, BentNormalInMetresIsThatOfTheRaisedSurface) {
+    Random random(33, Purpose::test);
+    double most = 0;
+    for (const Matrix& matrix : transforms())
+        for (int trial = 0; trial < 200; ++trial) {
+            const DVec3 p = wide(random_direction(random)).normalized();
+            const Placed placed(matrix, p);
+            const DVec3 stretch = stretch_of(matrix);
+            const DVec3 u = p.cross(std::abs(p.x) < 0.5 ? DVec3(1, 0, 0) : DVec3(0, 1, 0));
+            const DMatrix world = wide(matrix);
+            const DVec3 n = wide(placed.hit.normal);
+            const auto raised = [&](const DVec3& offset) { // the plane that touches the sphere
+                DVec3 moved;
+                world.multDirMatrix(offset, moved);
+                return moved + n * height((p + offset) * stretch);
+            };
+            constexpr double step = 1e-8;
+            const DVec3 x = u.normalized() * step;
+            const DVec3 y = p.cross(u).normalized() * step;
+            DVec3 expected = (raised(x) - raised(-x)).cross(raised(y) - raised(-y)).normalized();
+            if (expected.dot(n) < 0)
+                expected = -expected;
+            const DVec3 found =
+                wide(bent_normal(placed.hit, narrow(slope(p * stretch)), TextureUnit::world));
+            ASSERT_LT((found - expected).length(), 5e-4);
+            most = std::max(most, (found - n).length());
         }
     EXPECT_GT(most, 0.3) << "too flat to tell anything";
 }

@@ -43,10 +43,12 @@ TEST(World, AgreesWithBruteForce) {
     Random random(21, Purpose::test);
     const Mesh mesh = test::make_sphere(0.5F, 8);
     Aggregate aggregate;
-    aggregate.prototypes.push_back({"sphere", std::make_shared<Mesh>(mesh), nullptr,
-                                    std::make_shared<const Material>(Metal{})});
+    aggregate.prototypes.push_back({"sphere",
+                                    std::make_shared<Mesh>(mesh),
+                                    nullptr,
+                                    {std::make_shared<const Material>(Metal{})}});
     for (int i = 0; i < 20; ++i)
-        aggregate.instances.push_back({0, skewed(random), 0.0F, 0.0F, 1.0F});
+        aggregate.instances.push_back({0, WideMatrix(skewed(random)), 0.0F, 0.0F, 1.0F});
     const World world(std::span(&aggregate, 1), {});
     EXPECT_EQ(world.instance_count(), 20U);
     EXPECT_EQ(world.triangle_count(), 20 * mesh.triangles.size());
@@ -61,7 +63,7 @@ TEST(World, AgreesWithBruteForce) {
         std::size_t instance = 0;
         Vec3 normal(0.0F, 0.0F, 0.0F);
         for (std::size_t k = 0; k < aggregate.instances.size(); ++k) {
-            const Matrix& m = aggregate.instances[k].world_from_object;
+            const WideMatrix& m = aggregate.instances[k].world_from_object;
             for (const Mesh::Triangle& t : mesh.triangles) {
                 const Vec3 a = transform_point(m, mesh.positions[t[0]]);
                 const Vec3 b = transform_point(m, mesh.positions[t[1]]);

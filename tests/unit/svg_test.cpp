@@ -8,6 +8,7 @@
 #include "shapes/table.h"
 #include "tests/support/errors.h"
 #include "tests/support/plugin_params.h"
+#include "tests/support/svg.h"
 
 #include <gtest/gtest.h>
 
@@ -32,16 +33,12 @@ double path_area(std::string_view data) {
 }
 
 std::string svg(const std::string& body, const std::string& attributes = "") {
-    return "<svg xmlns='http://www.w3.org/2000/svg' " + attributes + ">" + body + "</svg>";
+    return tests::svg(body, attributes);
 }
 
-/// The union of the shapes in pixels.
 Region drawn(const std::string& body, const std::string& attributes = "",
              const std::string& element = "") {
-    std::vector<FilledRings> shapes;
-    for (const SvgShape& shape : read_svg_text(svg(body, attributes), element))
-        shapes.push_back({flat(shape.path), shape.rule});
-    return fill(std::move(shapes));
+    return tests::svg_region(tests::svg(body, attributes), element);
 }
 
 int winding_number(const std::vector<Ring>& rings, const Vec2& p) {
@@ -175,6 +172,9 @@ TEST(SvgText, Lengths) {
     EXPECT_DOUBLE_EQ(parse_length("1in"), 96);
     EXPECT_DOUBLE_EQ(parse_length("25.4mm"), 96);
     EXPECT_DOUBLE_EQ(parse_length("72pt"), 96);
+    EXPECT_DOUBLE_EQ(parse_length("5%", {.whole = 40}), 2);
+    EXPECT_DOUBLE_EQ(parse_length("1.5em", {.font = 20}), 30);
+    EXPECT_DOUBLE_EQ(parse_length("2EX", {.font = 20}), 20);
     for (const char* text : {"", "5%", "3em", "mm", "1 2"})
         EXPECT_THROW(parse_length(text), Error) << text;
 }

@@ -184,7 +184,7 @@ TEST(TextureVolume, ReadsBackInPlace) {
     Matrix turn, move;
     turn.setAxisAngle(Vec3(1, 0, 0), 0.7F);
     move.setTranslation(Vec3(3, -2, 5));
-    const Matrix world_from_object = turn * move;
+    const WideMatrix world_from_object(turn * move);
     volume_file(source, volume, world_from_object, {})->write(path, {{"scree:scene", "s.lua"}});
 
     const ReadVolume read = read_volume(path);
@@ -208,9 +208,9 @@ TEST(TextureVolume, ReadsBackInPlace) {
                 for (int c = 0; c < 3; ++c)
                     ASSERT_NEAR(color[c], inside ? here[c] : 0, 1e-6);
                 const openvdb::Vec3d world = read.density->indexToWorld(at);
-                const Vec3 expected = Vec3(here) * world_from_object;
+                const Vec3d expected = here * world_from_object;
                 for (int c = 0; c < 3; ++c)
-                    ASSERT_NEAR(world[c], double(expected[c]), 1e-6);
+                    ASSERT_NEAR(world[c], expected[c], 1e-6);
             }
 }
 
@@ -254,7 +254,7 @@ TEST(TextureVolume, SameBytesOnAnyThreads) {
     const auto bytes = [&](int threads, const std::string& scene) {
         const ThreadLimit limit(threads);
         const std::string path = folder.file("a.vdb");
-        volume_file(source, texture_volume(*source.mesh, 24), Matrix(), {})
+        volume_file(source, texture_volume(*source.mesh, 24), WideMatrix(), {})
             ->write(path, {{"scree:scene", scene}});
         return read_file(path);
     };
@@ -266,7 +266,7 @@ TEST(TextureVolume, AFullDiskLeavesTheOldFileIntact) {
     const test::Folder folder;
     const std::string path = folder.file("full.vdb");
     const TextureSource source = source_of(component("sphere"));
-    const auto file = volume_file(source, texture_volume(*source.mesh, 30), Matrix(), {});
+    const auto file = volume_file(source, texture_volume(*source.mesh, 30), WideMatrix(), {});
     write_file(path, "old");
     for (const rlim_t room : {0U, 100U, 20000U}) {
         Fault fault = Fault::usage;

@@ -2,7 +2,7 @@
 #include "geometry/plane/svg/svg_shapes.h"
 
 #include "core/error.h"
-#include "geometry/plane/svg/svg_text.h"
+#include "core/text.h"
 
 #include <fmt/format.h>
 
@@ -45,18 +45,25 @@ Vec2 centre_of(const Attribute& attribute) {
     return {svg_length(attribute, "cx", 0), svg_length(attribute, "cy", 0)};
 }
 
+/// One radius given stands for both.
+Vec2 radii_of(const Attribute& attribute) {
+    const auto given = [&](const char* name) { return attribute(name).value_or("auto") != "auto"; };
+    Vec2 radii(given("rx") ? size_of(attribute, "rx") : 0,
+               given("ry") ? size_of(attribute, "ry") : 0);
+    if (!given("rx"))
+        radii.x = radii.y;
+    if (!given("ry"))
+        radii.y = radii.x;
+    return radii;
+}
+
 BezierPath rectangle(const Attribute& attribute) {
     const Vec2 at(svg_length(attribute, "x", 0), svg_length(attribute, "y", 0));
     const Vec2 size(size_of(attribute, "width"), size_of(attribute, "height"));
     BezierPath path;
     if (size.x == 0 || size.y == 0)
         return path;
-    // One radius given stands for both; none is larger than half a side.
-    Vec2 round(size_of(attribute, "rx"), size_of(attribute, "ry"));
-    if (!attribute("rx"))
-        round.x = round.y;
-    if (!attribute("ry"))
-        round.y = round.x;
+    Vec2 round = radii_of(attribute); // none is larger than half a side
     round = {std::min(round.x, size.x / 2), std::min(round.y, size.y / 2)};
     if (round.x == 0 || round.y == 0)
         round = Vec2(0.0);
@@ -94,7 +101,20 @@ BezierPath polygon(const std::string& points) {
 
 double svg_length(const Attribute& attribute, const std::string& name, double otherwise) {
     const std::optional<std::string> text = attribute(name);
-    return text ? named(name, [&] { return parse_length(*text); }) : otherwise;
+    if (!text)
+        return otherwise;
+    return named(name, [&] { return parse_length(*text, attribute.lengths.base(name)); });
+}
+
+LengthBase SvgLengths::base(std::string_view name) const {
+    const Vec2 known(viewport.x > 0 ? viewport.x : std::nan(""),
+                     viewport.y > 0 ? viewport.y : std::nan(""));
+    double whole = known.length() / std::sqrt(2.0);
+    if (name == "x" || name == "width" || name == "cx" || name == "rx")
+        whole = known.x;
+    if (name == "y" || name == "height" || name == "cy" || name == "ry")
+        whole = known.y;
+    return {whole, font_size};
 }
 
 bool is_svg_shape(const std::string& element) {
@@ -109,9 +129,11 @@ BezierPath svg_shape(const std::string& element, const Attribute& attribute) {
     if (element == "circle")
         return ellipse(centre_of(attribute), Vec2(size_of(attribute, "r")));
     if (element == "ellipse")
-        return ellipse(centre_of(attribute), {size_of(attribute, "rx"), size_of(attribute, "ry")});
+        return ellipse(centre_of(attribute), radii_of(attribute));
     if (element == "path") {
-        const std::string data = attribute("d").value_or("");
+        const std::string data = attribute("d").value_or("none");
+        if (trimmed(data).empty() || data == "none")
+            return {};
         return named("d", [&] { return parse_path_data(data); });
     }
     const std::string points = attribute("points").value_or("");

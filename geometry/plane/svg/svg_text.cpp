@@ -2,6 +2,7 @@
 #include "geometry/plane/svg/svg_text.h"
 
 #include "core/error.h"
+#include "core/text.h"
 #include "geometry/plane/svg/number_scanner.h"
 
 #include <fmt/format.h>
@@ -191,22 +192,35 @@ std::vector<double> parse_numbers(std::string_view text) {
     return out;
 }
 
-double parse_length(std::string_view text) {
+double parse_length(std::string_view text, const LengthBase& base) {
     struct Unit {
         std::string_view name;
         double pixels;
     };
-    static constexpr std::array units{
-        Unit{"", 1},          Unit{"px", 1},  Unit{"mm", 96 / 25.4}, Unit{"cm", 96 / 2.54},
-        Unit{"Q", 24 / 25.4}, Unit{"in", 96}, Unit{"pt", 96.0 / 72}, Unit{"pc", 16}};
+    // An ex is taken as half an em (CSS 2.1, section 4.3.2).
+    const std::array units{Unit{"", 1},
+                           Unit{"px", 1},
+                           Unit{"mm", 96 / 25.4},
+                           Unit{"cm", 96 / 2.54},
+                           Unit{"q", 24 / 25.4},
+                           Unit{"in", 96},
+                           Unit{"pt", 96.0 / 72},
+                           Unit{"pc", 16},
+                           Unit{"em", base.font},
+                           Unit{"ex", base.font / 2},
+                           Unit{"%", base.whole / 100}};
     NumberScanner scanner(text);
     const double number = scanner.number();
-    const std::string_view name = scanner.word();
+    const std::string name = lower_case(scanner.word());
     for (const Unit& unit : units)
-        if (name == unit.name && scanner.at_end())
+        if (name == unit.name && scanner.at_end()) {
+            if (std::isnan(unit.pixels))
+                throw Error(fmt::format("\"{:.30}\" is relative to a {} that is not given", text,
+                                        name == "%" ? "size" : "font's size"));
             return number * unit.pixels;
+        }
     throw Error(fmt::format("\"{}\" is not a length that can be read; units are px, mm, cm, Q, in, "
-                            "pt and pc",
+                            "pt, pc, em, ex and %",
                             text.substr(0, 30)));
 }
 

@@ -5,6 +5,7 @@
 
 #include "geometry/plane/svg/bezier_path.h"
 
+#include <limits>
 #include <string_view>
 
 namespace scree {
@@ -18,7 +19,13 @@ Affine parse_transform(std::string_view text);
 /// Numbers between spaces and commas, as in `points` and `viewBox`.
 std::vector<double> parse_numbers(std::string_view text);
 
-/// A length in pixels of 1/96 inch, from px, mm, cm, Q, in, pt, pc or no unit.
-double parse_length(std::string_view text);
+/// What relative lengths are relative to [pixels]; not a number where it is not known.
+struct LengthBase {
+    double whole = std::numeric_limits<double>::quiet_NaN(); // 100%
+    double font = std::numeric_limits<double>::quiet_NaN();  // 1em
+};
+
+/// A length in pixels of 1/96 inch, from px, mm, cm, Q, in, pt, pc, em, ex, % or no unit.
+double parse_length(std::string_view text, const LengthBase& base = {});
 
 } // namespace scree

@@ -57,7 +57,8 @@ std::shared_ptr<const Procedural> make_bark(const Params& params) {
     bark.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = shapes_program({bark_source});
     return std::make_shared<SolidProcedural<Bark, solid::bark_at>>(
-        make_lattice(params), bark, SolidKernel{text.c_str(), "Bark", "bark_at"});
+        make_lattice(params), bark, SolidKernel{text.c_str(), "Bark", "bark_at"},
+        params.flag("scale_with_object"));
 }
 
 std::vector<ParamSpec> bark_specs() {

@@ -87,7 +87,8 @@ std::shared_ptr<const Procedural> make_breccia(const Params& params) {
     breccia.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = cells_program({grains_source, breccia_source});
     return std::make_shared<SolidProcedural<Breccia, solid::breccia_at>>(
-        lattice, breccia, SolidKernel{text.c_str(), "Breccia", "breccia_at"});
+        lattice, breccia, SolidKernel{text.c_str(), "Breccia", "breccia_at"},
+        params.flag("scale_with_object"));
 }
 
 std::vector<ParamSpec> breccia_specs() {

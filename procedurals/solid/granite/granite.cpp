@@ -42,7 +42,8 @@ std::shared_ptr<const Procedural> make_granite(const Params& params) {
     granite.grains = make_grains(params, "minerals", recipe, lattice->header());
     static const std::string text = cells_program({grains_source, granite_source});
     return std::make_shared<SolidProcedural<Granite, solid::granite_at>>(
-        lattice, granite, SolidKernel{text.c_str(), "Granite", "granite_at"});
+        lattice, granite, SolidKernel{text.c_str(), "Granite", "granite_at"},
+        params.flag("scale_with_object"));
 }
 
 std::vector<ParamSpec> granite_specs() {

@@ -42,7 +42,8 @@ std::shared_ptr<const Procedural> make_leather(const Params& params) {
     leather.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = shapes_program({leather_source});
     return std::make_shared<SolidProcedural<Leather, solid::leather_at>>(
-        make_lattice(params), leather, SolidKernel{text.c_str(), "Leather", "leather_at"});
+        make_lattice(params), leather, SolidKernel{text.c_str(), "Leather", "leather_at"},
+        params.flag("scale_with_object"));
 }
 
 std::vector<ParamSpec> leather_specs() {

@@ -105,7 +105,8 @@ std::shared_ptr<const Procedural> make_marble(const Params& params) {
         marble.layer[marble.layers++] = make_layer(params, veins, index);
     }
     return std::make_shared<SolidProcedural<Marble, solid::marble_at, marble_in_lanes>>(
-        make_lattice(params), marble, SolidKernel{marble_source, "Marble", "marble_at"});
+        make_lattice(params), marble, SolidKernel{marble_source, "Marble", "marble_at"},
+        params.flag("scale_with_object"));
 }
 
 std::vector<ParamSpec> layer_specs() {

@@ -77,7 +77,8 @@ std::shared_ptr<const Procedural> make_stone(const Params& params) {
     stone.filtered = params.flag("filtered") ? 1 : 0;
     static const std::string text = shapes_program({grains_source, stone_source});
     return std::make_shared<SolidProcedural<Stone, solid::stone_at>>(
-        lattice, stone, SolidKernel{text.c_str(), "Stone", "stone_at"});
+        lattice, stone, SolidKernel{text.c_str(), "Stone", "stone_at"},
+        params.flag("scale_with_object"));
 }
 
 std::vector<ParamSpec> stone_specs() {

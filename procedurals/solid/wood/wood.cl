@@ -223,42 +223,97 @@ static inline float pores(global const Wood* wood, Triple v, float early, float 
     return lerp(mean, 1.0f - clear, resolved);
 }
 
-// The filtered share of rays: upright lenses that run from the pith to the bark. Their number
-// increases with the radius.
+// How far rays are pushed aside at a place, around the trunk and along it, in [-1, 1]^2: smooth
+// noise. A straight cut so enters and leaves them again and again, where rays in exact planes would
+// show as straight bars.
+static inline void ray_drift(global const Wood* wood, float x, float y, float z, float* around,
+                             float* upwards) {
+    const int ix = floor_to_int(x), iy = floor_to_int(y), iz = floor_to_int(z);
+    const float sx = smooth(0.0f, 1.0f, x - (float)ix), sy = smooth(0.0f, 1.0f, y - (float)iy);
+    const float sz = smooth(0.0f, 1.0f, z - (float)iz);
+    float first = 0.0f, second = 0.0f;
+    for (int corner = 0; corner < 8; ++corner) {
+        const int cx = corner & 1, cy = (corner >> 1) & 1, cz = corner >> 2;
+        const uint bits = wood_hash(wood->key ^ 0x51ed270bU, (uint)(ix + cx), (uint)(iy + cy),
+                                    (uint)(iz + cz));
+        const float weight = (cx != 0 ? sx : 1.0f - sx) * (cy != 0 ? sy : 1.0f - sy) *
+                             (cz != 0 ? sz : 1.0f - sz);
+        first += weight * (float)(bits & 0xffffU);
+        second += weight * (float)(bits >> 16);
+    }
+    *around = first * (2.0f / 65535.0f) - 1.0f;
+    *upwards = second * (2.0f / 65535.0f) - 1.0f;
+}
+
+// The share of rays at radius r that begin within an octave of radii, [first, 2 first), and end
+// beyond it: most are there, in its middle all of them.
+static inline float rays_present(float r, float first) {
+    const float x = r / first;
+    return clamped((x - 0.7f) / 0.6f, 0.0f, 1.0f) * clamped((2.5f - x) / 0.9f, 0.0f, 1.0f);
+}
+
+// The filtered share of the rays of one octave, of which each of 2^octave sectors holds a column.
+// `turn` is in [0, 1), `height` in segments of rays.
+static inline float rays_of_octave(global const Wood* wood, int octave, float first, float turn,
+                                   float r, float height, float sigma) {
+    const float sectors = (float)(1 << octave);
+    const float at = turn * sectors;
+    const int sector = floor_to_int(at) & ((1 << octave) - 1);
+    const uint column = wood_hash(wood->key, 11U, (uint)sector, (uint)octave);
+    const float along = height + uniform_of(column);
+    const int segment = floor_to_int(along);
+    const uint bits = wood_hash(wood->key ^ column, 12U, (uint)segment, 13U);
+    if (uniform_of(bits) >= wood->ray_share)
+        return 0.0f;
+    const uint more = scramble(bits), last = scramble(more);
+    if (r < first * (0.7f + 0.6f * uniform_of(scramble(last))) ||
+        r > first * (1.6f + 0.9f * uniform_of(scramble(last ^ 0x2545f491U))))
+        return 0.0f;
+    const float middle = 0.25f + 0.5f * uniform_of(more);
+    const float arc = (at - floor(at) - middle) * (6.2831853f * r / sectors);
+    const float tall = 0.5f + 0.45f * uniform_of(last); // of its segment, anywhere within it
+    const float centre = 0.5f + (1.0f - tall) * (uniform_of(scramble(bits ^ 0x9e3779b9U)) - 0.5f);
+    const float f = (along - (float)segment - centre) * 2.0f / tall;
+    if (fabs(f) >= 1.0f)
+        return 0.0f;
+    const float half_width = 0.5f * wood->ray_width * sqrt(1.0f - f * f);
+    return normal_cdf((half_width - arc) / sigma) - normal_cdf((-half_width - arc) / sigma);
+}
+
+// The filtered share of rays: upright lenses that run outwards. Their number increases with the
+// radius: each octave of radii has twice as many as the one before.
 static inline float rays(global const Wood* wood, Triple v, float blur) {
-    const float x = dot3(v, wood->right), y = dot3(v, wood->up);
+    const float x = dot3(v, wood->right), y = dot3(v, wood->up), z = dot3(v, wood->axis);
     const float r = sqrt(x * x + y * y);
-    // 2^n sectors, whose width is between one and two cells.
+    // 2^octave sectors, whose width is between one and two cells.
     const float wanted = 6.2831853f * r / wood->ray_cell;
     const int octave = (int)clamped(floor(log2(fmax(wanted, 1.0f))), 2.0f, 16.0f);
-    const float sectors = (float)(1 << octave);
-    const float sector_width = 6.2831853f * r / sectors;
+    const float first = (float)(1 << octave) * wood->ray_cell / 6.2831853f;
     // The mean share: lenses are ellipses whose mean height is 0.725 of their segment.
-    const float mean = wood->ray_share * 0.725f * 0.785398f *
-                       clamped(wood->ray_width / fmax(sector_width, 1e-9f), 0.0f, 1.0f);
+    const float each = wood->ray_share * 0.725f * 0.785398f * wood->ray_width * (float)(1 << octave) /
+                       (6.2831853f * fmax(r, 0.25f * first));
+    const float mean = clamped(each * (0.5f * rays_present(r, 0.5f * first) +
+                                       rays_present(r, first) +
+                                       2.0f * rays_present(r, 2.0f * first)),
+                               0.0f, 1.0f);
     const float resolved = smooth(0.9f, 0.35f, blur / wood->ray_cell);
     if (resolved <= 0.0f)
         return mean;
-    const float turn = (atan2(y, x) * 0.15915494f + 0.5f) * sectors;
-    const int sector = floor_to_int(turn) & ((1 << octave) - 1);
-    const uint column = wood_hash(wood->key, 11U, (uint)sector, (uint)octave);
-    const float height = dot3(v, wood->axis) / wood->ray_height + uniform_of(column);
-    const int segment = floor_to_int(height);
-    const uint bits = wood_hash(wood->key ^ column, 12U, (uint)segment, 13U);
-    if (uniform_of(bits) >= wood->ray_share)
-        return lerp(mean, 0.0f, resolved);
-    const uint more = scramble(bits);
-    const float middle = 0.25f + 0.5f * uniform_of(more);
-    const float arc = (turn - floor(turn) - middle) * sector_width;
-    const float tall = 0.5f + 0.45f * uniform_of(scramble(more)); // of its segment
-    const float f = (height - (float)segment - 0.5f) * 2.0f / tall;
-    if (fabs(f) >= 1.0f)
-        return lerp(mean, 0.0f, resolved);
-    const float half_width = 0.5f * wood->ray_width * sqrt(1.0f - f * f);
+    const float rate = 1.0f / (45.0f * wood->ray_cell);
+    float around = 0.0f, upwards = 0.0f;
+    ray_drift(wood, x * rate, y * rate, z / (2.5f * wood->ray_height), &around, &upwards);
+    const float turn = atan2(y, x) * 0.15915494f + 0.5f +
+                       2.5f * wood->ray_cell * around / (6.2831853f * fmax(r, 3.0f * wood->ray_cell));
+    const float height = z / wood->ray_height + 0.5f * upwards;
     const float sigma = fmax(blur, 0.05f * wood->ray_width);
-    const float share =
-        normal_cdf((half_width - arc) / sigma) - normal_cdf((-half_width - arc) / sigma);
-    return lerp(mean, share, resolved);
+    float clear = 1.0f;
+    for (int k = -1; k <= 1; ++k) {
+        const float begin = k < 0 ? 0.5f * first : k > 0 ? 2.0f * first : first;
+        if (octave + k >= 2 && rays_present(r, begin) > 0.0f)
+            clear *= 1.0f - rays_of_octave(wood, octave + k, begin, turn - floor(turn), r, height,
+                                           sigma);
+    }
+    return lerp(mean, 1.0f - clear, resolved);
 }
 
 // Standard deviation of the filter across the trunk [m].

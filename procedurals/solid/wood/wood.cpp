@@ -128,7 +128,8 @@ std::shared_ptr<const Procedural> make_wood(const Params& params) {
     if (params.has("knot"))
         wood.knot = as_color(factor_to(reflectance(params, "knot"), early, late));
     return std::make_shared<SolidProcedural<Wood, solid::wood_at>>(
-        make_lattice(params), wood, SolidKernel{wood_source, "Wood", "wood_at"});
+        make_lattice(params), wood, SolidKernel{wood_source, "Wood", "wood_at"},
+        params.flag("scale_with_object"));
 }
 
 } // namespace

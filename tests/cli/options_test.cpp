@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options beside the scene's name, names of objects, crops, and scenes far from the origin.
+#include "core/image.h"
+#include "tests/cli/cli_fixture.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace scree {
+namespace {
+
+using tests::Outcome;
+namespace fs = std::filesystem;
+
+class OptionsCli : public tests::CliTest {
+  protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        write_file(path("named.lua"), named_scene);
+        write_file(path("far.lua"), far_scene);
+    }
+
+    static constexpr const char* named_scene =
+        "local seed = arg('seed', 3)\n"
+        "local stripes = material.matte { color = procedural.checker {} }\n"
+        "return scene {\n"
+        "  film = { width = 24, height = 16, samples = 1 },\n"
+        "  camera = camera.perspective { from = {0, 1, 1.2}, fov = 40 },\n"
+        "  lights = { light.sky {} },\n"
+        "  objects = {\n"
+        "    generator.layout {\n"
+        "      name = 'sweets', seed = seed, domain = region.rectangle { width = 1, depth = 1 },\n"
+        "      components = { { shape = mesh.star {}, margin = arg('margin', 0.0) } } },\n"
+        "    object { shape = mesh.plane { size = 4 }, name = 'floor', material = stripes },\n"
+        "    object { shape = mesh.sphere {}, name = 'ball', material = stripes },\n"
+        "    object { shape = mesh.box {}, name = 'ball', material = stripes },\n"
+        "  },\n"
+        "}\n";
+
+    static constexpr const char* far_scene =
+        "local o = arg('o', 0.0)\n"
+        "return scene {\n"
+        "  film = { width = 64, height = 48, samples = 64 },\n"
+        "  camera = camera.perspective { from = {o, o + 0.15, 0.3 - o}, at = {o, o + 0.02, -o},\n"
+        "                                fov = 35 },\n"
+        "  lights = { light.area { position = {o, o + 0.5, -o}, at = {o, o, -o},\n"
+        "                          size = {0.3, 0.3} } },\n"
+        "  objects = {\n"
+        "    object { shape = mesh.plane { size = 4 }, position = {o, o, -o},\n"
+        "             material = material.matte { color = procedural.checker { size = 0.02 } } },\n"
+        "    generator.pile { target = mesh.sphere { radius = 0.03 }, position = {o, o, -o},\n"
+        "                     components = { { shape = mesh.box { width = 0.01 } } } },\n"
+        "  },\n"
+        "}\n";
+};
+
+TEST_F(OptionsCli, RepeatableOptionsDoNotSwallowTheScene) {
+    for (const char* arguments :
+         {"check --set seed=4 named.lua", "check --set seed=4 --set margin=0.01 named.lua",
+          "render --aov N named.lua -o a.exr", "render --aov N,Z named.lua -o a.exr",
+          "render --set=seed=4 --aov=N named.lua -o a.exr"}) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.code, 0) << arguments << "\n" << outcome.err;
+    }
+    EXPECT_EQ(read_exr(path("a.exr")).parts.size(), 2U);
+}
+
+TEST_F(OptionsCli, WithoutLightThereIsNoPicture) {
+    write_file(path("dark.lua"),
+               "return scene { camera = camera.perspective { from = {0, 1, 2} },\n"
+               "  objects = { object { shape = mesh.sphere {} } } }\n");
+    const Outcome outcome = run("render dark.lua -o a.exr");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.err,
+              "dark.lua: scene.lights: are missing; without light the picture is black\n"
+              "  for example lights = { light.sky {}, light.sun {} }\n");
+    EXPECT_FALSE(fs::exists(path("a.exr")));
+    EXPECT_EQ(run("check dark.lua").code, 0); // it can be baked
+}
+
+/// The four numbers of a window in the header of an EXR: left, top, right, bottom.
+std::array<std::int32_t, 4> window_of(const std::string& exr, const std::string& name) {
+    const std::string key = name + '\0' + "box2i" + '\0';
+    const std::size_t at = exr.find(key);
+    std::array<std::int32_t, 4> window{};
+    if (at != std::string::npos)
+        std::memcpy(window.data(), exr.data() + at + key.size() + 4, sizeof window);
+    return window;
+}
+
+TEST_F(OptionsCli, ACropKeepsItsPlaceInThePicture) {
+    ASSERT_EQ(run("render named.lua -o whole.exr --spp 4").code, 0);
+    ASSERT_EQ(run("render named.lua -o crop.exr --spp 4 --crop 5,3,10,8").code, 0);
+    const std::string bytes = read_file(path("crop.exr"));
+    EXPECT_EQ(window_of(bytes, "displayWindow"), (std::array<std::int32_t, 4>{0, 0, 23, 15}));
+    EXPECT_EQ(window_of(bytes, "dataWindow"), (std::array<std::int32_t, 4>{5, 3, 14, 10}));
+}
+
+TEST_F(OptionsCli, NamesAreShown) {
+    ASSERT_EQ(run("bake named.lua -o a.json --stats stats.json").code, 0);
+    EXPECT_NE(run("bake named.lua -o b.json").err.find("layout \"sweets\": "), std::string::npos);
+    const auto baked = nlohmann::json::parse(read_file(path("a.json")));
+    EXPECT_EQ(baked["aggregates"][0]["name"], "sweets");
+    const auto stats = nlohmann::json::parse(read_file(path("stats.json")));
+    EXPECT_EQ(stats["generators"][0]["name"], "sweets");
+    ASSERT_EQ(run("analyse a.json -o report.json").code, 0);
+    const auto report = nlohmann::json::parse(read_file(path("report.json")))["aggregates"][0];
+    EXPECT_EQ(report["name"], "sweets");
+    const Outcome outcome = run("check named.lua --set margin=-1");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("generator.layout \"sweets\".components[1].margin"),
+              std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(OptionsCli, ReportsHoldWhatTheirCurvesArePlottedOver) {
+    ASSERT_EQ(run("analyse named.lua -o report.json").code, 0);
+    const auto report = nlohmann::json::parse(read_file(path("report.json")))["aggregates"][0];
+    const auto& power = report["radial_power"];
+    ASSERT_GT(power["f"].size(), 4U);
+    EXPECT_EQ(power["f"].size(), power["power"].size());
+    EXPECT_EQ(power["counts"].size(), power["power"].size());
+    EXPECT_FALSE(power.contains("frequencies"));
+    EXPECT_NEAR(power["f"][3].get<double>(), 3.5 * power["bin_width"].get<double>(), 1e-9);
+    const auto& pairs = report["pair_correlation"];
+    EXPECT_EQ(pairs["r"].size(), pairs["g"].size());
+    EXPECT_NEAR(pairs["r"][2].get<double>(), 2.5 * pairs["bin_width"].get<double>(), 1e-9);
+}
+
+TEST_F(OptionsCli, ShapesAndMarginsAreDrawnApart) {
+    ASSERT_EQ(run("bake named.lua --set margin=0.02 -o margins.svg").code, 0);
+    ASSERT_EQ(run("bake named.lua --set margin=0.02 -o margins.json").code, 0);
+    ASSERT_EQ(run("bake named.lua -o bare.svg").code, 0);
+    EXPECT_NE(read_file(path("margins.svg")).find("class=\"margins\""), std::string::npos);
+    EXPECT_EQ(read_file(path("bare.svg")).find("class=\"margins\""), std::string::npos);
+    const auto star =
+        nlohmann::json::parse(read_file(path("margins.json")))["aggregates"][0]["prototypes"][0];
+    const auto right_end = [](const nlohmann::json& rings) {
+        double most = 0;
+        for (const auto& point : rings[0])
+            most = std::max(most, point[0].get<double>());
+        return most;
+    };
+    EXPECT_GT(right_end(star["region"]), right_end(star["outline"]) + 0.015);
+}
+
+TEST_F(OptionsCli, TexturesAreOfTheNamedObject) {
+    const std::string arguments = "texture named.lua -o a.png --size 32 --object ";
+    EXPECT_EQ(run(arguments + "floor").code, 0);
+    EXPECT_EQ(run(arguments + "2").code, 0);
+    Outcome outcome = run(arguments + "ball");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err, "--object ball: the objects 3 and 4 have this name\n"
+                           "  choose one by its number\n");
+    outcome = run(arguments + "flor");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.err,
+              "--object flor: expected the name of an object of named.lua, or a number "
+              "from 1 to 4\n  did you mean floor?\n");
+    EXPECT_EQ(run(arguments + "5").code, 2);
+}
+
+TEST_F(OptionsCli, ASceneLooksTheSameFarFromTheOrigin) {
+    ASSERT_EQ(run("render far.lua -o near.exr --aov P").code, 0);
+    const Image near = read_image(path("near.exr"));
+    for (const double o : {1e3, 1e4, 1e5}) {
+        const Outcome outcome =
+            run("render far.lua -o far.exr --aov P --set o=" + std::to_string(o));
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const ExrFile file = read_exr(path("far.exr"));
+        const Image& far = file.parts[0].image;
+        // The same samples meet the same surfaces: all but a few at edges are equal.
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < near.pixels.size(); ++i)
+            different += std::abs(near.pixels[i] - far.pixels[i]) > 0.02F + 0.02F * near.pixels[i];
+        EXPECT_LT(different, near.pixels.size() / 50) << o;
+        EXPECT_NEAR(double(file.parts[1].image.at(32, 40)[0]), o, 0.3) << o;
+    }
+}
+
+} // namespace
+} // namespace scree

@@ -1,0 +1,35 @@
+local function object_of(path, layer)
+  return object { shape = mesh.box {},
+                  material = material.matte { color = procedural.image { path = "parts/" .. path, layer = layer } } }
+end
+return scene {
+  lights = { light.sky { image = "parts/infinite.exr" }, light.sky { image = "parts/depth.exr" } },
+  objects = {
+    object_of("layers.exr"),
+    object_of("layers.exr", "difuse"),
+    object_of("depth.exr"),
+    object_of("nan.exr"),
+    object_of("cube.exr"),
+    object_of("line.exr"),
+    object_of("lut.png"),
+    object_of("lut.png", "beauty"),
+    object_of("drawing.svg", "beauty"),
+    object_of("lab.png"),
+    object_of("grey_profile.png"),
+    object_of("damaged_profile.png"),
+    object_of("pq.png"),
+    object_of("xyz_primaries.png"),
+    object_of("chrm.png"),
+    object_of("cmyk.jpg"),
+    object_of("format.hdr"),
+    object_of("exposure.hdr"),
+    object_of("primaries.hdr"),
+    object_of("size.hdr"),
+    object_of("cut.hdr"),
+    object_of("run.hdr"),
+    object_of("header.hdr"),
+    generator.layout { domain = region.rectangle { width = 2, depth = 1 },
+                       components = { { shape = mesh.box { width = 0.1 } } },
+                       density = field.image { path = "parts/layers.exr", layer = "Z", width = 2, depth = 1 } },
+  },
+}
