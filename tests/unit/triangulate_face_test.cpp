@@ -59,8 +59,9 @@ void expect_covered(const std::string& name, const Ring& ring, std::size_t trian
         const double tolerance = 1e-7 * std::max(1.0, std::abs(want));
         EXPECT_NEAR(sum, std::abs(want), tolerance) << name;
         EXPECT_NEAR(with_signs.dot(plane.u.cross(plane.v)), want, tolerance) << name;
-        if (triangles > 0 && plane.origin.length() < 100)
+        if (triangles > 0 && plane.origin.length() < 100) {
             EXPECT_EQ(face.triangles.size(), triangles) << name;
+        }
     }
 }
 
@@ -215,7 +216,7 @@ TEST(WindingNumber, CountsTurns) {
         EXPECT_EQ(turns(square, {0.7, 0.3}), 1);
         EXPECT_EQ(turns(back, {0.7, 0.3}), -1);
         EXPECT_EQ(turns(twice, {0.7, 0.3}), 2);
-        for (const Vec2 outside : {Vec2(-1, 0.5), Vec2(3, 0.5), Vec2(1, 2), Vec2(1, -2)})
+        for (const Vec2& outside : {Vec2(-1, 0.5), Vec2(3, 0.5), Vec2(1, 2), Vec2(1, -2)})
             EXPECT_EQ(turns(twice, outside), 0);
         const Ring eight{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
         EXPECT_EQ(turns(eight, {0.2, 1}), -turns(eight, {1.8, 1}));
