@@ -142,12 +142,14 @@ struct PreparedElements {
             check_surface_settings(settings);
         else
             problem = problem_from(settings, shapes);
+        background = background_of(settings);
         preparing = Clock::now() - start;
     }
 
     ElementsSettings settings;
     std::vector<ElementShape> shapes;
     std::optional<PoissonDiskProblem> problem; // none on a surface
+    std::shared_ptr<const Picture> background; // may be null
     Seconds preparing{};
 };
 
@@ -178,7 +180,7 @@ Aggregate bake_elements(const PreparedElements& prepared, const Context& context
         aggregate.prototypes.push_back(shape.prototype);
     aggregate.instances = instances_of(set.samples, components, shapes, problem.seed);
     aggregate.domain = settings.domain;
-    aggregate.background = background_of(settings);
+    aggregate.background = prepared.background;
     aggregate.torus = problem.torus;
     aggregate.texture = true;
     aggregate.facts = facts_of(settings, shapes, set, components);

@@ -77,6 +77,10 @@ std::vector<Instance> instances_of(const LayoutProblem& problem, const Layout& l
     return instances;
 }
 
+double epsilon_of(const LayoutSettings& settings, const LayoutProblem& problem) {
+    return settings.epsilon_share * problem.smallest_inner_radius();
+}
+
 /// Fills the domain by the method that the settings name; `certificate` is set by the saturated
 /// one.
 MethodCounts fill(LayoutMethod method, const LayoutSettings& settings, const LayoutProblem& problem,
@@ -87,9 +91,8 @@ MethodCounts fill(LayoutMethod method, const LayoutSettings& settings, const Lay
         return fill_naive(problem, settings.naive_cancellations, placements, context);
     case LayoutMethod::saturated:
         return located(settings.epsilon_place, [&] {
-            const double epsilon = settings.epsilon_share * problem.smallest_inner_radius();
-            return fill_saturated(problem, {.epsilon = epsilon}, placements, certificate.emplace(),
-                                  context);
+            return fill_saturated(problem, {.epsilon = epsilon_of(settings, problem)}, placements,
+                                  certificate.emplace(), context);
         });
     case LayoutMethod::fill_gap:
         break;
@@ -144,6 +147,9 @@ struct PreparedLayout {
             settings.components, settings.fields.density ? Margins::by_place : Margins::in_regions);
         problem.emplace(problem_from(settings, components.prototypes));
         method = settings.method.value_or(default_method(settings, *problem));
+        if (method == LayoutMethod::saturated)
+            located(settings.epsilon_place,
+                    [&] { check_epsilon(*problem, epsilon_of(settings, *problem)); });
         preparing = Clock::now() - start;
     }
 

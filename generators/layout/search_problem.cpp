@@ -57,6 +57,15 @@ std::vector<NoFitPiece> outside_of(const LayoutProblem& problem, double reach, d
 
 } // namespace
 
+void check_epsilon(const LayoutProblem& problem, double epsilon) {
+    const double radius = problem.largest_radius() + problem.largest_margin();
+    const double least = 4 * (problem.clearance() + 32 * 0x1p-24 * 4 * radius);
+    if (epsilon < least)
+        throw Error(fmt::format("epsilon, {:.3g} m, is too small beside elements of {:.3g} m; the "
+                                "least is {:.3g} m",
+                                epsilon, 2 * radius, least));
+}
+
 double expected_seconds(const LayoutProblem& problem) {
     constexpr double seconds_per_pair = 0.14e-3;
     constexpr double usual_fill = 0.55;
@@ -94,14 +103,11 @@ SearchProblem::SearchProblem(const LayoutProblem& problem, double wanted)
       largest_margin(problem.largest_margin()) {
     const Box2 whole = problem.domain.box();
     const double radius = problem.largest_radius() + largest_margin;
+    check_epsilon(problem, epsilon);
     sliver = static_cast<float>(epsilon / 100);
     // Coordinates are about a box's centre and no larger than two elements; each no-fit polygon
     // sums a few of them (2^-24 each), as does a fragment's cut.
     safety = epsilon / 100 + 0.01 * epsilon + 32 * 0x1p-24 * 4 * radius;
-    if (epsilon < 4 * (clearance + 32 * 0x1p-24 * 4 * radius))
-        throw Error(fmt::format("epsilon, {:.3g} m, is too small beside elements of {:.3g} m; the "
-                                "least is {:.3g} m",
-                                epsilon, 2 * radius, 4 * (clearance + 32 * 0x1p-24 * 4 * radius)));
     // Moving edges by the clearance and margins moves corners farther: the sharper, the less
     // accurately. A quarter of epsilon may be lost to that.
     const double margins = 2 * largest_margin;

@@ -33,9 +33,12 @@ struct SearchProblem {
     double coarse_extent = 0; // motion above which coarse pieces are accurate enough [m]
     double place_share = 4;   // how much wider than its turn a cell may be
 
-    /// `epsilon`: in metres. Throws Error when it is too small for float arithmetic.
+    /// `epsilon`: in metres. Throws as `check_epsilon`.
     SearchProblem(const LayoutProblem& problem, double epsilon);
 };
+
+/// Throws Error when `epsilon` [m] is too small for float arithmetic.
+void check_epsilon(const LayoutProblem& problem, double epsilon);
 
 /// About how long the search takes on one core [s], to a factor of three: what decides whether a
 /// layout is saturated unless the script says. Measured: 0.14 ms for each element and each pair of
