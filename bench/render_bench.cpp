@@ -32,8 +32,10 @@ Aggregate scatter(std::shared_ptr<const Mesh> mesh) {
     Aggregate aggregate;
     aggregate.generator = "bench";
     aggregate.prototypes.push_back(
-        {"mesh", std::move(mesh), nullptr,
-         std::make_shared<const Material>(Matte{{{Color(0.7F, 0.7F, 0.7F), nullptr}, {}}})});
+        {"mesh",
+         std::move(mesh),
+         nullptr,
+         {std::make_shared<const Material>(Matte{{{Color(0.7F, 0.7F, 0.7F), nullptr}, {}}})}});
     Random random(1, Purpose::test);
     for (int i = 0; i < instance_count; ++i) {
         Matrix turn;
@@ -42,7 +44,7 @@ Aggregate scatter(std::shared_ptr<const Mesh> mesh) {
         place.setTranslation(Vec3(static_cast<float>(random.uniform(-2, 2)),
                                   static_cast<float>(random.uniform(0, 0.4)),
                                   static_cast<float>(random.uniform(-2, 2))));
-        aggregate.instances.push_back({0, turn * place, random.uniform_float(), 0, 1});
+        aggregate.instances.push_back({0, WideMatrix(turn * place), random.uniform_float(), 0, 1});
     }
     return aggregate;
 }
