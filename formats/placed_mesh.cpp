@@ -42,8 +42,8 @@ Rounding rounding(const FileMesh& mesh) {
     Rounding out;
     out.longest = longest_side(bounds_of(mesh));
     for (const V3d& p : mesh.positions) {
-        const V3d error = p - V3d(Vec3(p));
-        out.moved = std::max({out.moved, std::abs(error.x), std::abs(error.y), std::abs(error.z)});
+        for (const double exact : {p.x, p.y, p.z}) // as vectors GCC 12 gets this wrong at -O2
+            out.moved = std::max(out.moved, std::abs(exact - double(static_cast<float>(exact))));
         out.distance = std::max(out.distance, p.length());
     }
     for (const Mesh::Triangle& t : mesh.triangles)
