@@ -6,11 +6,11 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -88,12 +88,6 @@ std::string listing(const std::vector<Found>& devices) {
         text += fmt::format("{}{}: {} ({} {})", i == 0 ? "" : ", ", i, devices[i].name,
                             devices[i].platform, devices[i].driver);
     return text.empty() ? "none; install an OpenCL driver, for example pocl-opencl-icd" : text;
-}
-
-std::string lower_case(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
 }
 
 Found choose_device(const std::string& wanted) {

@@ -2,8 +2,8 @@
 #include "core/file.h"
 
 #include "core/error.h"
+#include "core/text.h"
 
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -118,9 +118,7 @@ std::string extension(const std::string& path) {
     std::string ending = fs::path(path).extension().string();
     if (!ending.empty())
         ending.erase(0, 1);
-    for (char& c : ending)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending;
+    return lower_case(ending);
 }
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }

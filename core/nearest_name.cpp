@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nearest_name.h"
 
+#include "core/text.h"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <numeric>
 #include <vector>
 
@@ -45,10 +46,8 @@ constexpr std::array<Group, 28> synonyms{{
 }};
 
 std::string folded(std::string_view name) {
-    std::string out;
-    for (const char c : name)
-        if (c != '_' && c != '-' && c != ' ' && c != '.')
-            out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    std::string out = lower_case(name);
+    std::erase_if(out, [](char c) { return c == '_' || c == '-' || c == ' ' || c == '.'; });
     return out;
 }
 

@@ -3,6 +3,7 @@
 // coordinates. Every statement is read, or named with its line.
 #include "formats/obj_statements.h"
 
+#include "core/text.h"
 #include "geometry/mesh/mesh.h"
 
 #include <fmt/format.h>

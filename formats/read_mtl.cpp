@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/text.h"
 #include "formats/text_lines.h"
 #include "formats/uri.h"
 

@@ -45,12 +45,6 @@ std::string_view take_word(std::string_view& line) {
     return word;
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
-    const std::size_t end = std::max(first, text.find_last_not_of(" \t") + 1);
-    return text.substr(first, end - first);
-}
-
 bool same_word(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](char x, char y) { return lower(x) == lower(y); });

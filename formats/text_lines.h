@@ -38,9 +38,6 @@ class TextLines {
 /// Takes the first word off a line: what stands between blanks and tabs; "" when none is left.
 std::string_view take_word(std::string_view& line);
 
-/// A text without the blanks and tabs at its ends.
-std::string_view trimmed(std::string_view text);
-
 /// Whether the words are equal but for the case of ASCII letters.
 bool same_word(std::string_view a, std::string_view b);
 
