@@ -13,16 +13,6 @@ namespace scree {
 
 namespace {
 
-/// Runs `read` and puts the attribute's name before what it throws.
-template <class Read>
-auto named(const std::string& name, const Read& read) {
-    try {
-        return read();
-    } catch (const Error& error) {
-        throw Error(name + ": " + error.diagnostics().front().message);
-    }
-}
-
 double size_of(const Attribute& attribute, const std::string& name, double otherwise = 0) {
     const double size = svg_length(attribute, name, otherwise);
     if (size < 0)

@@ -17,15 +17,6 @@ namespace {
 
 constexpr int most_references = 20; // of variables or gradients to each other
 
-template <class Read>
-auto named(const std::string& name, const Read& read) {
-    try {
-        return read();
-    } catch (const Error& error) {
-        throw Error(name + ": " + error.diagnostics().front().message);
-    }
-}
-
 FillRule rule_of(const std::string& name, const SvgProperties& properties, FillRule outer) {
     const std::optional<std::string> rule = properties.get(name, "nonzero");
     if (!rule)

@@ -3,12 +3,23 @@
 // numbers are at most 1e9, since coordinates beyond that are mistakes.
 #pragma once
 
+#include "core/error.h"
 #include "geometry/plane/svg/bezier_path.h"
 
 #include <limits>
 #include <string_view>
 
 namespace scree {
+
+/// Runs `read` and puts the attribute's name before what it throws.
+template <class Read>
+auto named(const std::string& name, const Read& read) {
+    try {
+        return read();
+    } catch (const Error& error) {
+        throw Error(name + ": " + error.diagnostics().front().message);
+    }
+}
 
 /// What a path's `d` says: all commands of SVG 1.1, absolute and relative.
 BezierPath parse_path_data(std::string_view data);
