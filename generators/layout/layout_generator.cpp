@@ -146,7 +146,7 @@ struct PreparedLayout {
         components = components_from(
             settings.components, settings.fields.density ? Margins::by_place : Margins::in_regions);
         problem.emplace(problem_from(settings, components.prototypes));
-        method = settings.method.value_or(default_method(settings, *problem));
+        method = settings.method ? *settings.method : default_method(settings, *problem);
         if (method == LayoutMethod::saturated)
             located(settings.epsilon_place,
                     [&] { check_epsilon(*problem, epsilon_of(settings, *problem)); });
