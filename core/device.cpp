@@ -359,7 +359,8 @@ void Device::run(const std::string& source, const std::string& kernel,
             [&](const auto& value) {
                 if constexpr (std::is_same_v<std::decay_t<decltype(value)>, BufferHandle>) {
                     const cl_mem memory = value->memory();
-                    return clSetKernelArg(compiled, i, sizeof memory, &memory);
+                    // OpenCL takes the handle itself: its size is a pointer's.
+                    return clSetKernelArg(compiled, i, sizeof(void*), &memory);
                 } else {
                     return clSetKernelArg(compiled, i, sizeof value, &value);
                 }
