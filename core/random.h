@@ -50,6 +50,12 @@ enum class Purpose : std::uint32_t {
     pile_shell = 73,
     pile_fill = 74,
     subsurface_walk = 68,
+    rock_shape = 80,
+    rock_kind = 81,
+    rock_size = 82,
+    rock_place = 83,
+    rock_cell = 84,
+    rock_tile = 85,
 };
 
 /// A stream of uniform random numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et

@@ -5,6 +5,7 @@
 #include "generators/layout/layout_generator.h"
 #include "generators/leather/leather_generator.h"
 #include "generators/pile/pile_generator.h"
+#include "generators/rocks/rocks_generator.h"
 
 namespace scree {
 
@@ -14,6 +15,7 @@ Registry<Generator> generator_table() {
     table.add(elements_plugin());
     table.add(leather_plugin());
     table.add(pile_plugin());
+    table.add(rocks_plugin());
     return table;
 }
 

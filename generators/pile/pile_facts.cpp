@@ -7,18 +7,6 @@
 
 namespace scree {
 
-void StageTimes::end(const char* name) {
-    const Clock::time_point now = Clock::now();
-    seconds_.emplace_back(std::string(name) + "_seconds",
-                          std::chrono::duration<double>(now - last_).count());
-    last_ = now;
-}
-
-void StageTimes::add_to(Facts& facts) const {
-    facts.insert(facts.end(), seconds_.begin(), seconds_.end());
-    facts.emplace_back("seconds", std::chrono::duration<double>(last_ - start_).count());
-}
-
 void add_counts(const PlacedBodies& pile, std::span<const PileKind> kinds, Facts& facts) {
     std::vector<std::size_t> component_of; // by kind
     std::size_t components = 0;

@@ -8,6 +8,7 @@
 #include "generators/pile/pile_facts.h"
 #include "generators/pile/pile_settings.h"
 #include "generators/pile/pile_specs.h"
+#include "model/stage_times.h"
 
 namespace scree {
 

@@ -64,5 +64,7 @@ Plugin<MakeMesh> extrude_component();
 Plugin<MakeMesh> jack_component();
 Plugin<MakeMesh> duck_component();
 Plugin<MakeMesh> tree_component();
+Plugin<MakeMesh> rock_component();
+Plugin<MakeMesh> terrain_component();
 
 } // namespace scree

@@ -12,7 +12,8 @@ Registry<MakeMesh> component_table() {
           letter_component,     l_brick_component, jack_component,   duck_component,
           tree_component,       rice_component,    banana_component, chestnut_component,
           bolt_component,       nut_component,     gear_component,   sheet_component,
-          cut_sphere_component, lathe_component,   text_component,   extrude_component})
+          cut_sphere_component, lathe_component,   text_component,   extrude_component,
+          rock_component,       terrain_component})
         table.add(row());
     return table;
 }
