@@ -12,7 +12,7 @@ namespace scree::rocks {
 
 namespace {
 
-constexpr double cells_along = 16;   // of the map, along the longest axis of an octave's smallest
+constexpr double cells_along = 10;       // of the map, along the longest axis of an octave's smallest
 constexpr double repeats_within = 3; // the longest axis: where a twin would be seen
 constexpr double twin_angle = 30;    // rocks of one kind are twins when turned by less [deg]
 constexpr double spread = 1.5;       // of the places that are tried, in longest axes

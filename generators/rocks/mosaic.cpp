@@ -100,12 +100,6 @@ std::vector<Edge> edges_of(const PowerCell& cell, double radius, double joint) {
     return edges;
 }
 
-int level_of(const RocksSettings& settings, double radius, double largest) {
-    if (settings.level > 0)
-        return settings.level;
-    return radius > 0.6 * largest ? 16 : radius > 0.2 * largest ? 8 : 4;
-}
-
 Mesh rock_in_cell(const RocksSettings& settings, const PowerCell& cell, std::size_t number,
                   double largest) {
     const double radius = std::sqrt(cell.area / pi);
@@ -126,7 +120,7 @@ Mesh rock_in_cell(const RocksSettings& settings, const PowerCell& cell, std::siz
                 nearest, (edge.normal.x * direction.x + edge.normal.y * direction.z) / edge.height);
         return 1 / nearest;
     };
-    const int level = level_of(settings, radius, largest);
+    const int level = level_of(settings, number, radius / largest);
     std::vector<WideVec3> vertices =
         Rock(rock, std::move(planes), WideVec3(1, 1, rock.c_over_a)).vertices(level, limit);
     double low = 0;

@@ -25,20 +25,20 @@ struct LevelRule {
 constexpr LevelRule rules[] = {{16, 0.3, 60}, {8, 0.1, 1000}};
 constexpr int coarsest = 4;
 
-int level_of(const RocksSettings& settings, std::span<const double> sizes, std::size_t i) {
-    if (settings.level > 0)
-        return settings.level;
-    for (const LevelRule& rule : rules)
-        if (i < rule.most && sizes[i] >= rule.least_size * sizes.front())
-            return rule.level;
-    return coarsest;
-}
-
 std::size_t unique_count(const RocksSettings& settings, std::span<const double> sizes) {
     return settings.unique ? sizes.size() : std::min(unique_rocks, sizes.size());
 }
 
 } // namespace
+
+int level_of(const RocksSettings& settings, std::size_t rank, double relative_size) {
+    if (settings.level > 0)
+        return settings.level;
+    for (const LevelRule& rule : rules)
+        if (rank < rule.most && relative_size >= rule.least_size)
+            return rule.level;
+    return coarsest;
+}
 
 RockSettings settings_of_kind(const RocksSettings& settings, std::uint64_t kind) {
     Random random(settings.seed, Purpose::rock_kind, kind);
@@ -51,25 +51,16 @@ RockSettings settings_of_kind(const RocksSettings& settings, std::uint64_t kind)
     return rock;
 }
 
-double RockKinds::triangle_count(const RocksSettings& settings, std::span<const double> sizes) {
-    double triangles = 0;
-    for (std::size_t i = 0; i < unique_count(settings, sizes); ++i) {
-        const int level = level_of(settings, sizes, i);
-        triangles += 20.0 * level * level;
-    }
-    return triangles;
-}
-
 RockKinds::RockKinds(const RocksSettings& settings, std::span<const double> sizes)
     : unique_(unique_count(settings, sizes)),
       shared_(static_cast<std::size_t>(settings.prototypes)) {
     std::vector<int> levels; // of each surface
     for (std::size_t i = 0; i < unique_; ++i) {
-        levels.push_back(level_of(settings, sizes, i));
+        levels.push_back(level_of(settings, i, sizes[i] / sizes.front()));
         kinds_.push_back(shared_ + i);
     }
     for (std::size_t i = unique_; i < sizes.size(); ++i) {
-        const int level = level_of(settings, sizes, i);
+        const int level = level_of(settings, i, sizes[i] / sizes.front());
         if (i == unique_ || level != levels.back())
             for (std::size_t kind = 0; kind < shared_; ++kind) {
                 levels.push_back(level);

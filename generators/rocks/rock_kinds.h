@@ -9,6 +9,10 @@ namespace scree::rocks {
 /// The shape of kind number `kind`: its own axes and wear, and a seed of its own.
 RockSettings settings_of_kind(const RocksSettings& settings, std::uint64_t kind);
 
+/// The level of detail of a rock that `rank` others are larger than, of a size relative to the
+/// largest's.
+int level_of(const RocksSettings& settings, std::size_t rank, double relative_size);
+
 /// The shapes that dropped rocks share, each at the levels of detail that are used.
 class RockKinds {
   public:
@@ -22,9 +26,6 @@ class RockKinds {
 
     /// Of a surface, which of the generator's materials is its.
     std::size_t kind_of(std::uint32_t surface) const { return kinds_[surface]; }
-
-    /// How many triangles all surfaces have, before they are made.
-    static double triangle_count(const RocksSettings& settings, std::span<const double> sizes);
 
   private:
     std::size_t unique_ = 0; // so many of the largest rocks have a shape of their own
