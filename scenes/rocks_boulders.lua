@@ -9,14 +9,14 @@ local ground = mesh.terrain { height = field["function"] { value = height, width
 
 return scene {
   film = { width = 1280, height = 720, samples = arg("samples", 64), clamp = 6 },
-  camera = camera.perspective { from = { 0.5, 1.6, 6.2 }, at = { 0, 0.1, 0 }, fov = 42 },
+  camera = camera.perspective { from = { 0.5, 2.1, 6.4 }, at = { 0.2, -0.25, 0.6 }, fov = 38 },
   lights = rocks.daylight({ -1.0, 0.55, 0.2 }),
   objects = {
     generator.rocks {
       preset = "moraine", ground = ground,
       domain = region.rectangle { width = 14, depth = 13 },
       smallest = 0.05, largest = 1.6, exponent = 2.1, cover = arg("cover", 0.35), burial = 0.4,
-      materials = { rocks.granite("bianco_sardo", 0.4), rocks.sandstone({ 0.33, 0.31, 0.28 }), rocks.sandstone({ 0.27, 0.26, 0.25 }) },
+      materials = { rocks.granite("bianco_sardo"), rocks.sandstone({ 0.33, 0.31, 0.28 }), rocks.sandstone({ 0.27, 0.26, 0.25 }) },
       ground_material = rocks.sand,
       measure = arg("measure", 0), seed = arg("seed", 1),
     },

@@ -4,7 +4,7 @@ local function stone(r, g, b) return rocks.sandstone({ r, g, b }, 0.25) end
 
 return scene {
   film = { width = 1280, height = 720, samples = arg("samples", 64), clamp = 6 },
-  camera = camera.perspective { from = { 0.1, 0.75, 1.75 }, at = { 0, -0.02, 0.25 }, fov = 40 },
+  camera = camera.perspective { from = { 0.1, 0.95, 1.35 }, at = { 0, -0.05, 0.2 }, fov = 40 },
   lights = rocks.daylight({ -1.0, 0.8, 0.1 }),
   objects = {
     generator.rocks {

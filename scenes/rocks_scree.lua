@@ -3,7 +3,7 @@ local rocks = include("parts/rocks.lua")
 
 return scene {
   film = { width = 1280, height = 720, samples = arg("samples", 64), clamp = 6 },
-  camera = camera.perspective { from = { -1.2, -3.9, 10.5 }, at = { 0.2, -1.35, 1.0 }, fov = 46 },
+  camera = camera.perspective { from = { -0.8, -2.6, 7.2 }, at = { 0.2, -1.2, 1.5 }, fov = 40 },
   lights = rocks.daylight(),
   objects = {
     generator.rocks {

@@ -4,15 +4,13 @@
 #include "core/random.h"
 #include "fabrication/cell_surface.h"
 #include "fabrication/fabricate.h"
+#include "tests/exact/cgal_surface.h"
 #include "tests/support/fabrication_parts.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -20,27 +18,12 @@ namespace scree {
 namespace {
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Surface = CGAL::Surface_mesh<Point>;
 using tests::aggregate_of;
+using tests::cgal_surface;
 using tests::instance;
 using tests::placed;
-
-// The mesh as in an STL file: triangles connected only by equal positions.
-Surface cgal_surface(const Mesh& mesh) {
-    const std::vector<std::uint32_t> welded = weld(mesh);
-    std::vector<Point> points;
-    for (const Vec3& p : mesh.positions)
-        points.emplace_back(p.x, p.y, p.z);
-    std::vector<std::array<std::size_t, 3>> faces;
-    for (const Mesh::Triangle& t : mesh.triangles)
-        faces.push_back({welded[t[0]], welded[t[1]], welded[t[2]]});
-    EXPECT_TRUE(PMP::is_polygon_soup_a_polygon_mesh(faces));
-    Surface surface;
-    PMP::polygon_soup_to_polygon_mesh(points, faces, surface);
-    return surface;
-}
+using tests::Point;
+using tests::Surface;
 
 std::size_t component_count(const Surface& surface) {
     std::map<Surface::Face_index, std::size_t> of_face;

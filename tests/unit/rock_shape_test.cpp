@@ -4,6 +4,8 @@
 #include "geometry/rock/rock_params.h"
 #include "geometry/rock/solid_noise.h"
 
+#include "tests/support/rocks.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,30 +17,6 @@ namespace {
 /// Six times the volume of the tetrahedron of a triangle and the origin.
 double volume_from_origin(const std::vector<WideVec3>& p, const Mesh::Triangle& t) {
     return p[t[0]] ^ p[t[1]].cross(p[t[2]]);
-}
-
-/// Random parameters over their whole ranges.
-RockSettings extreme_settings(std::uint64_t i) {
-    Random random(7, Purpose::test, i);
-    const auto either = [&](double low, double high) { // an end as often as what lies between
-        const double u = random.uniform(-0.5, 1.5);
-        return low + (high - low) * std::clamp(u, 0.0, 1.0);
-    };
-    RockSettings settings;
-    settings.b_over_a = either(least_axis, 1);
-    settings.c_over_a = std::min(settings.b_over_a, either(least_axis, 1));
-    settings.faces = either(4, 20);
-    settings.scatter = either(0, 0.8);
-    settings.wear = either(0, 1);
-    settings.chips = int(either(0, 40));
-    settings.scars = int(either(0, 12));
-    settings.cracks = int(either(0, 6));
-    settings.hackle = either(0, 0.2);
-    settings.rough = either(0, 0.2);
-    settings.hurst = either(0.3, 1);
-    settings.strata = either(0, 2);
-    settings.seed = i;
-    return settings;
 }
 
 WideVec3 half_box(const std::vector<WideVec3>& vertices) {
@@ -132,7 +110,7 @@ TEST(SolidNoise, HasNoMeanTheStatedSpreadAndNoJumps) {
 // meets itself.
 TEST(Rock, IsTheGraphOfARadiusAtExtremeParameters) {
     for (std::uint64_t i = 0; i < 600; ++i) {
-        const Rock rock(extreme_settings(i));
+        const Rock rock(tests::extreme_rock(i));
         for (const int level : {4, 8}) {
             const std::vector<WideVec3> vertices = rock.vertices(level);
             for (const Mesh::Triangle& t : geodesic_sphere(level)->triangles)

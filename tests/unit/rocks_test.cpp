@@ -91,6 +91,7 @@ TEST(RocksDropped, MeasuresStayWithinTheirBounds) {
                                   {"largest", 0.6},
                                   {"cover", 0.9},
                                   {"burial", 0.1},
+                                  {"triangles", std::int64_t{320}},
                                   {"measure", std::int64_t{400}}});
     const double count = fact(rocks, "count");
     EXPECT_GT(count, 500);
@@ -132,8 +133,10 @@ TEST(RocksDropped, NoDensityNoRocks) {
 }
 
 TEST(RocksDropped, SameSeedSameRocks) {
-    const std::map<std::string, Value> values{
-        {"domain", tests::shared_square(2)}, {"smallest", 0.1}, {"largest", 0.4}};
+    const std::map<std::string, Value> values{{"domain", tests::shared_square(2)},
+                                              {"smallest", 0.1},
+                                              {"largest", 0.4},
+                                              {"triangles", std::int64_t{320}}};
     const Aggregate once = bake(values);
     const Aggregate again = bake(values);
     ASSERT_EQ(once.instances.size(), again.instances.size());
