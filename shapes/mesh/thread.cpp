@@ -10,15 +10,15 @@ namespace scree {
 
 namespace {
 
-// One turn of the profile: the positions of its corners [pitches] and whether they lie on the
-// crest.
+// One turn of the thread_profile: the positions of its corners [pitches] and whether they lie on
+// the crest.
 struct ProfileCorner {
     double along;
     bool crest;
 };
-constexpr std::array<ProfileCorner, 4> profile{
+constexpr std::array<ProfileCorner, 4> thread_profile{
     {{0.0, false}, {0.25, false}, {0.5625, true}, {0.6875, true}}};
-constexpr int corners = int(profile.size());
+constexpr int corners = int(thread_profile.size());
 
 } // namespace
 
@@ -33,7 +33,7 @@ Mesh thread_surface(std::span<const double> angles, const Thread& thread) {
             // Column `columns` is column 0, one turn further up.
             const int row = i == columns ? std::min(j + corners, rows) : j;
             const double angle = i == columns ? angles[0] : angles[i];
-            const ProfileCorner& corner = profile[std::size_t(row % corners)];
+            const ProfileCorner& corner = thread_profile[std::size_t(row % corners)];
             const double turns = double(row / corners) - 2 + corner.along + angle / (2 * pi);
             const double y =
                 std::clamp(thread.bottom + turns * thread.pitch, thread.bottom, thread.top);
