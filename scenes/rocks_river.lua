@@ -11,7 +11,7 @@ return scene {
       preset = "river",
       domain = region.rectangle { width = 2.8, depth = 3.2 },
       sizes = { { radius = 0.22, share = 0.12 }, { radius = 0.075, share = 0.33 }, { radius = 0.026, share = 0.55 } },
-      cover = arg("cover", 1.5),
+      cover = arg("cover", 1.2),
       materials = {
         stone(0.33, 0.32, 0.30), stone(0.26, 0.27, 0.28), rocks.granite("bianco_sardo"), stone(0.42, 0.33, 0.25),
         stone(0.38, 0.37, 0.33), rocks.granite("rosa_porrino"), stone(0.20, 0.21, 0.22), stone(0.48, 0.45, 0.40),

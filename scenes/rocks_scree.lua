@@ -9,7 +9,7 @@ return scene {
     generator.rocks {
       preset = "scree",
       domain = region.rectangle { width = 13, depth = 16 },
-      smallest = 0.06, largest = 1.0, cover = arg("cover", 1.6),
+      smallest = 0.06, largest = 1.0, cover = arg("cover", 1.1),
       materials = { rocks.sandstone({ 0.36, 0.33, 0.29 }), rocks.sandstone({ 0.30, 0.28, 0.26 }), rocks.sandstone({ 0.42, 0.37, 0.30 }) },
       ground_material = rocks.earth,
       measure = arg("measure", 0), seed = arg("seed", 1),

@@ -41,7 +41,6 @@ Aggregate aggregate_of(std::vector<Mesh> meshes, std::span<const std::size_t> ki
     Aggregate aggregate;
     aggregate.generator = "rocks";
     aggregate.seed = settings.seed;
-    aggregate.domain = settings.domain;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
         // About its own middle, so that a mesh is as precise far from the origin as near it.
         const Vec3 middle = bounds(meshes[i]).center();

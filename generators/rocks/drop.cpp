@@ -12,7 +12,7 @@ namespace scree::rocks {
 
 namespace {
 
-constexpr double cells_along = 10;       // of the map, along the longest axis of an octave's smallest
+constexpr double cells_along = 10;   // of the map, along the longest axis of an octave's smallest
 constexpr double repeats_within = 3; // the longest axis: where a twin would be seen
 constexpr double twin_angle = 30;    // rocks of one kind are twins when turned by less [deg]
 constexpr double spread = 1.5;       // of the places that are tried, in longest axes
@@ -263,7 +263,8 @@ bool Dropping::try_to_drop(std::uint32_t i, std::size_t tile, Random& random, Re
     box.min -= Vec2(tile_margin_);
     box.max += Vec2(tile_margin_);
     const auto may_be = [&](const Vec2& place) {
-        return box.intersects(place) && contains(problem_.domain, place);
+        return box.intersects(place) && contains(problem_.domain, place) &&
+               problem_.ground.is_under(place);
     };
     if (!hang_over_lowest(*near, size, may_be, random, map, rock) || !rock.settle(may_be))
         return false;

@@ -176,9 +176,28 @@ void add_rocks(const RocksSettings& settings, const RockKinds& kinds,
     }
 }
 
+/// Throws Error, located, where the ground does not reach under all of the domain.
+void check_ground(const RocksSettings& settings) {
+    if (!settings.ground)
+        return;
+    constexpr int samples = 100; // along each side
+    const Ground ground(*settings.ground);
+    const Box2 box = bounds(*settings.domain);
+    for (int j = 0; j <= samples; ++j)
+        for (int i = 0; i <= samples; ++i) {
+            const Vec2 at = box.min + box.size() * (Vec2(i, j) / double(samples));
+            if (contains(*settings.domain, at) && !ground.is_under(at))
+                throw settings.ground_place.error(
+                    fmt::format("is not under all of the domain: not at x = {:.4g}, z = {:.4g}",
+                                at.x, at.y),
+                    "expected a larger ground, or a smaller domain");
+        }
+}
+
 } // namespace
 
 void check_dropped(const RocksSettings& settings) {
+    check_ground(settings);
     const double count = expected_count(settings);
     double smallest = settings.smallest;
     double largest = settings.largest;
@@ -245,7 +264,6 @@ Aggregate bake_dropped(const RocksSettings& settings, const Context& context) {
     Aggregate aggregate;
     aggregate.generator = "rocks";
     aggregate.seed = settings.seed;
-    aggregate.domain = settings.domain;
     add_ground(settings, aggregate);
     add_rocks(settings, kinds, rocks, aggregate);
     const auto count = double(std::count_if(rocks.begin(), rocks.end(),

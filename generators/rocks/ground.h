@@ -3,6 +3,7 @@
 
 #include "generators/rocks/top_grid.h"
 
+#include <limits>
 #include <optional>
 
 namespace scree::rocks {
@@ -16,6 +17,10 @@ class Ground {
 
     /// The height at a place; the lowest float where a mesh does not reach [m].
     double height(const Vec2& place) const;
+
+    bool is_under(const Vec2& place) const {
+        return height(place) > std::numeric_limits<float>::lowest();
+    }
 
     /// Of a plane: its height falls by this much for a metre along +z.
     double rise() const { return rise_; }

@@ -19,6 +19,61 @@ double number_or(const Params& params, const std::string& name, double otherwise
     return params.has(name) ? params.number(name) : otherwise;
 }
 
+/// A parameter that only one method knows.
+struct OwnParameter {
+    const char* name;
+    Method method;
+};
+constexpr OwnParameter own_parameters[] = {{"preset", Method::dropped},
+                                           {"cover", Method::dropped},
+                                           {"slope", Method::dropped},
+                                           {"ground", Method::dropped},
+                                           {"dip", Method::dropped},
+                                           {"flow", Method::dropped},
+                                           {"sorting", Method::dropped},
+                                           {"density", Method::dropped},
+                                           {"ground_material", Method::dropped},
+                                           {"prototypes", Method::dropped},
+                                           {"unique", Method::dropped},
+                                           {"measure", Method::dropped},
+                                           {"smallest", Method::dropped},
+                                           {"largest", Method::dropped},
+                                           {"exponent", Method::dropped},
+                                           {"joint", Method::mosaic},
+                                           {"exclusion", Method::paper}};
+
+const char* name_of(Method method) {
+    return method == Method::paper ? "paper" : method == Method::mosaic ? "mosaic" : "dropped";
+}
+
+/// A parameter that has no effect is an error.
+void check_method(const Params& params, Method method) {
+    for (const OwnParameter& own : own_parameters)
+        if (own.method != method && params.has(own.name))
+            throw params.error(own.name,
+                               fmt::format("is unknown to the method {}", name_of(method)),
+                               fmt::format("it is for the method {}", name_of(own.method)));
+}
+
+void check_distribution(const Params& params, Distribution distribution) {
+    const auto refuse = [&](const char* name, const char* known_to) {
+        if (params.has(name))
+            throw params.error(
+                name,
+                fmt::format("is given beside the distribution {}",
+                            params.has("distribution") ? params.text("distribution") : "classes"),
+                fmt::format("it is for {}", known_to));
+    };
+    if (distribution == Distribution::classes) {
+        refuse("smallest", "power and area");
+        refuse("largest", "power and area");
+    } else {
+        refuse("sizes", "classes");
+    }
+    if (distribution != Distribution::power)
+        refuse("exponent", "power");
+}
+
 Distribution distribution_of(const Params& params, Method method) {
     const std::string preset = params.has("preset") ? params.text("preset") : "";
     const std::string name = params.has("distribution") ? params.text("distribution")
@@ -58,8 +113,9 @@ void read_classes(const Params& params, RocksSettings& settings) {
 
 void read_sizes(const Params& params, RocksSettings& settings) {
     settings.distribution = distribution_of(params, settings.method);
-    settings.exponent = params.number("exponent");
-    settings.cover = params.number("cover");
+    check_distribution(params, settings.distribution);
+    settings.exponent = number_or(params, "exponent", settings.exponent);
+    settings.cover = number_or(params, "cover", settings.cover);
     if (settings.distribution == Distribution::classes) {
         read_classes(params, settings);
         return;
@@ -84,18 +140,13 @@ void read_ground(const Params& params, const Preset& preset, RocksSettings& sett
     settings.ground_place = params.place("ground");
     if (settings.ground && params.has("slope"))
         throw params.error("slope", "is given beside a ground; one of them will do");
-    if (settings.ground && settings.method != Method::dropped)
-        throw params.error(
-            "ground", fmt::format("the method {} knows a level plane only", params.text("method")));
-    settings.slope = settings.ground || settings.method != Method::dropped
-                         ? 0
-                         : number_or(params, "slope", radians(preset.slope));
+    settings.slope = settings.ground ? 0 : number_or(params, "slope", radians(preset.slope));
     if (settings.slope > radians(steepest_heap))
         params.warn("slope",
                     fmt::format("rocks do not rest on more than {} degrees", steepest_heap));
     settings.burial = number_or(params, "burial", preset.burial);
     settings.dip = number_or(params, "dip", radians(preset.dip));
-    settings.flow = params.number("flow");
+    settings.flow = number_or(params, "flow", 0);
     settings.sorting = number_or(params, "sorting", preset.sorting);
     settings.density = field_of(params, "density");
     settings.density_place = params.place("density");
@@ -121,6 +172,7 @@ RocksSettings rocks_settings(const Params& params) {
     settings.method = method == "paper"    ? Method::paper
                       : method == "mosaic" ? Method::mosaic
                                            : Method::dropped;
+    check_method(params, settings.method);
     settings.domain = params.object<Region>("domain");
     settings.domain_place = params.place("domain");
     read_sizes(params, settings);
@@ -128,13 +180,15 @@ RocksSettings rocks_settings(const Params& params) {
     settings.rock.wear = number_or(params, "wear", preset.wear);
     settings.spread = params.number("spread");
     settings.wear_spread = number_or(params, "wear_spread", preset.wear_spread);
-    settings.joint = params.number("joint");
+    settings.joint = number_or(params, "joint", settings.joint);
     read_ground(params, preset, settings);
     settings.level = params.has("triangles") ? rock_level(double(params.integer("triangles"))) : 0;
-    settings.prototypes = static_cast<int>(params.integer("prototypes"));
-    settings.unique = params.flag("unique");
-    settings.half_exclusion = params.text("exclusion") == "half";
-    settings.measure = static_cast<std::size_t>(params.integer("measure"));
+    if (params.has("prototypes"))
+        settings.prototypes = static_cast<int>(params.integer("prototypes"));
+    settings.unique = params.has("unique") && params.flag("unique");
+    settings.half_exclusion = !params.has("exclusion") || params.text("exclusion") == "half";
+    if (params.has("measure"))
+        settings.measure = static_cast<std::size_t>(params.integer("measure"));
     read_materials(params, settings);
     settings.seed = static_cast<std::uint64_t>(params.integer("seed"));
     return settings;

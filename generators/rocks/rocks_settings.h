@@ -41,7 +41,7 @@ struct RocksSettings {
     RockSettings rock;
     double spread = 0.12;      // of the axes among rocks, standard deviation
     double wear_spread = 0.08; // of the wear, likewise
-    double joint = 0;          // between mosaic rocks [m]
+    double joint = 0.0006;     // between mosaic rocks [m]
 
     std::shared_ptr<const Mesh> ground; // null: a plane
     ParamPlace ground_place;

@@ -82,11 +82,12 @@ std::vector<ParamSpec> size_specs() {
         optional_number_spec("smallest", "The least longest axis, for power and area.", "m", 1e-4,
                              1e3),
         optional_number_spec("largest", "The greatest longest axis, likewise.", "m", 1e-4, 1e3),
-        number_spec("exponent", "For power.", "", 2.5, 0.5, 4),
-        number_spec("cover",
-                    "Plan area of all dropped rocks as a share of the domain: over 1 they lie on "
-                    "each other. Multiplies the shares of classes.",
-                    "", 1, 1e-4, 20),
+        optional_number_spec("exponent", "For power; 2.5 unless given.", "", 0.5, 4),
+        optional_number_spec("cover",
+                             "Plan area of all dropped rocks as a share of the domain, 1 unless "
+                             "given: over 1 they lie on each other. Multiplies the shares of "
+                             "classes.",
+                             "", 1e-4, 20),
     };
 }
 
@@ -114,7 +115,9 @@ std::vector<ParamSpec> place_specs() {
                              "How far flat rocks dip against the flow, like tiles. 0, but 18 for "
                              "river.",
                              "deg", 0, 45),
-        number_spec("flow", "Where the water flows to, from +x towards +z.", "deg", 0, -360, 360),
+        optional_number_spec("flow",
+                             "Where the water flows to, from +x towards +z; +x unless given.",
+                             "deg", -360, 360),
         optional_number_spec("sorting",
                              "How much the logarithm of the size falls for a metre of height: "
                              "larger rocks roll farther down (Statham 1976). 0, but 0.08 for "
@@ -143,21 +146,22 @@ std::vector<ParamSpec> rock_specs_of_generator() {
                              "Of the wear among rocks, likewise. 0.08, but 0.1 for river and "
                              "desert, 0.06 for scree, 0.2 for moraine.",
                              "", 0, 1),
-        number_spec("joint", "Between the rocks of a mosaic.", "m", 0.0006, 0, 100),
+        optional_number_spec("joint", "Between the rocks of a mosaic; 0.6 mm unless given.", "m", 0,
+                             100),
         rock_triangles_spec("About how many triangles each rock has: 20 n^2 for a whole n. By size "
                             "unless given.",
                             {}),
         {.name = "prototypes",
          .type = ParamType::integer,
          .doc = "Different shapes of dropped rocks, beside those of the 30 largest, of which each "
-                "has its own.",
-         .fallback = std::int64_t{64},
+                "has its own; 64 unless given.",
+         .optional = true,
          .min = 1.0,
          .max = 10000.0},
         {.name = "unique",
          .type = ParamType::boolean,
          .doc = "Every dropped rock has a shape of its own.",
-         .fallback = false},
+         .optional = true},
     };
     specs.insert(specs.end(), more.begin(), more.end());
     return specs;
@@ -181,8 +185,8 @@ std::vector<ParamSpec> rocks_specs() {
                      .type = ParamType::choice,
                      .doc = "By how much of its radius a site of the paper's method keeps others "
                             "away: half of it, as the text says, or all, as its Fig. 4 says, which "
-                            "leaves room for fewer sites than it asks for.",
-                     .fallback = std::string("half"),
+                            "leaves room for fewer sites than it asks for. half unless given.",
+                     .optional = true,
                      .choices = {"half", "full"}});
     specs.push_back(material_spec("Of all rocks"));
     specs.push_back({.name = "materials",
@@ -197,8 +201,8 @@ std::vector<ParamSpec> rocks_specs() {
     specs.push_back({.name = "measure",
                      .type = ParamType::integer,
                      .doc = "How many dropped rocks are measured: gaps to what holds them, and how "
-                            "deep they are in others.",
-                     .fallback = std::int64_t{0},
+                            "deep they are in others; none unless given.",
+                     .optional = true,
                      .min = 0.0});
     specs.push_back({.name = "seed",
                      .type = ParamType::integer,

@@ -30,15 +30,22 @@ WideVec3 axes_of(const RockSettings& settings, const RockBody& body) {
     return WideVec3(1, settings.b_over_a, settings.c_over_a) / half_extents(body);
 }
 
-/// Normals of a closed mesh with one vertex in each direction, weighted by angle and area.
+/// Normals of a closed mesh with one vertex in each direction, weighted by the faces' angles there
+/// (Thürmer & Wüthrich 1998).
 std::vector<Vec3> smooth_normals(const std::vector<WideVec3>& positions,
                                  const std::vector<Mesh::Triangle>& triangles) {
     std::vector<WideVec3> sums(positions.size(), WideVec3(0, 0, 0));
     for (const Mesh::Triangle& t : triangles) {
         const WideVec3 normal =
             (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
-        for (const std::uint32_t i : t)
-            sums[i] += normal;
+        const double area = normal.length();
+        if (!(area > 0))
+            continue;
+        for (unsigned k = 0; k < 3; ++k) {
+            const WideVec3 a = positions[t[(k + 1) % 3]] - positions[t[k]];
+            const WideVec3 b = positions[t[(k + 2) % 3]] - positions[t[k]];
+            sums[t[k]] += normal * (std::atan2(area, a ^ b) / area);
+        }
     }
     std::vector<Vec3> normals;
     normals.reserve(sums.size());

@@ -2,16 +2,26 @@
 #include "geometry/plane/field.h"
 #include "shapes/mesh/component.h"
 
+#include <fmt/format.h>
+
 namespace scree {
 
 namespace {
+
+constexpr double most_rows = 4096;
 
 Mesh terrain(const Params& params) {
     const std::shared_ptr<const Field> height = field_of(params, "height");
     const Vec2 size(params.number("width"), params.number("depth"));
     const auto columns = static_cast<std::uint32_t>(params.integer("columns"));
-    const auto rows =
-        std::max(1U, static_cast<std::uint32_t>(std::lround(double(columns) * size.y / size.x)));
+    const double wanted = std::max(1.0, std::round(double(columns) * size.y / size.x));
+    if (wanted > most_rows)
+        throw params.error(
+            "depth", fmt::format("gives {:.3g} rows of squares as wide as a column", wanted),
+            fmt::format("expected at most {:.0f}: fewer columns, or a width more like "
+                        "the depth",
+                        most_rows));
+    const auto rows = static_cast<std::uint32_t>(wanted);
     Mesh mesh;
     for (std::uint32_t j = 0; j <= rows; ++j)
         for (std::uint32_t i = 0; i <= columns; ++i) {
@@ -40,10 +50,13 @@ Plugin<MakeMesh> terrain_component() {
     // Not laid down like other components: the field's heights and places are those of the scene.
     return {"terrain",
             "Ground whose height is a field: an open surface about the origin.",
-            {{.name = "height", .type = ParamType::field, .doc = "Height by place, in metres."},
+            {{.name = "height",
+              .type = ParamType::field,
+              .doc = "Height by place, in metres.",
+              .fallback = 0.0},
              metres("width", "Along x.", 10),
              metres("depth", "Along z.", 10),
-             count("columns", "Squares along x, of two triangles each.", 256, 1, 4096)},
+             count("columns", "Squares along x, of two triangles each.", 100, 1, 1024)},
             [](const Params& params) {
                 Mesh mesh = terrain(params);
                 mesh.name = "terrain";

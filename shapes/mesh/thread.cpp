@@ -10,8 +10,8 @@ namespace scree {
 
 namespace {
 
-// One turn of the thread_profile: the positions of its corners [pitches] and whether they lie on
-// the crest.
+// One turn of the profile: the positions of its corners [pitches] and whether they lie on the
+// crest.
 struct ProfileCorner {
     double along;
     bool crest;

@@ -19,7 +19,7 @@ inline Mesh component_mesh(const std::string& name,
     return make(component_table(), name, values);
 }
 
-/// Checks what holds for every component: a valid closed mesh (except the plane) with unit normals
+/// Checks what holds for every component: a valid closed mesh (but for the open ones) with unit normals
 /// and finite UVs, standing on the ground and centred on the y axis.
 inline void expect_sound(const Mesh& mesh, const std::string& what) {
     SCOPED_TRACE(what);
@@ -28,7 +28,7 @@ inline void expect_sound(const Mesh& mesh, const std::string& what) {
     EXPECT_TRUE(facts.finite);
     EXPECT_EQ(facts.degenerate_triangles, 0U);
     EXPECT_EQ(facts.non_manifold_edges, 0U);
-    if (mesh.name != "plane") {
+    if (mesh.name != "plane" && mesh.name != "terrain") {
         EXPECT_EQ(facts.boundary_edges, 0U);
         EXPECT_GT(volume(mesh), 0);
     }
