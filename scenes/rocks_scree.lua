@@ -3,7 +3,7 @@ local rocks = include("parts/rocks.lua")
 
 return scene {
   film = { width = 1280, height = 720, samples = arg("samples", 64), clamp = 6 },
-  camera = camera.perspective { from = { -0.8, -2.6, 7.2 }, at = { 0.2, -1.2, 1.5 }, fov = 40 },
+  camera = camera.perspective { from = { -0.8, -2.6, 7.2 }, at = { 0.2, -1.75, 1.5 }, fov = 38 },
   lights = rocks.daylight(),
   objects = {
     generator.rocks {

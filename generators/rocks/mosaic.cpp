@@ -41,6 +41,7 @@ std::vector<CellPlan> plan_cells(const RocksSettings& settings, double ground) {
             std::max<std::size_t>(1, std::size_t(std::lround(share * ground / usual)));
         Random random(settings.seed, Purpose::rock_size, std::uint64_t(size_class + 1));
         std::vector<double> weights;
+        weights.reserve(count);
         for (std::size_t i = 0; i < count; ++i)
             weights.push_back(1 + random.uniform(-area_variation, area_variation));
         const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
@@ -65,6 +66,7 @@ std::vector<CellPlan> plan_cells(const RocksSettings& settings, double ground) {
 PrescribedAreas fitted_cells(const Ring& domain, const std::vector<CellPlan>& plans,
                              std::uint64_t seed, const Context& context) {
     std::vector<double> areas;
+    areas.reserve(plans.size());
     for (const CellPlan& plan : plans)
         areas.push_back(plan.area);
     std::vector<Vec2> sites = spread_sites(domain, areas, seed);

@@ -147,8 +147,8 @@ bool RestingRock::slide(const MayBe& may_be) {
         gap.x = gap.normal.x / up;
         gap.z = gap.normal.z / up;
     }
-    for (double longest = longest_slide * scale_; longest > 0.01 * scale_; longest /= 3) {
-        const LoweringPlane plane = lowering_plane(slopes, 1, longest);
+    for (const double share : {1.0, 1.0 / 3, 1.0 / 9}) {
+        const LoweringPlane plane = lowering_plane(slopes, 1, share * longest_slide * scale_);
         if (plane.height < least_drop * scale_)
             return false;
         pose(pose_.turn, pose_.column, pose_.row, pose_.offset - Vec2(plane.slope_x, plane.slope_z),

@@ -18,7 +18,7 @@ constexpr Preset presets[] = {{"river", 0.8, 0.1, 0, 0.25, 18, 0},
                               {"desert", 0.2, 0.1, 0, 0.3, 0, 0}};
 
 ParamSpec choice(std::string name, std::string doc, std::vector<std::string> choices,
-                 Value fallback) {
+                 const Value& fallback) {
     return {.name = std::move(name),
             .type = ParamType::choice,
             .doc = std::move(doc),

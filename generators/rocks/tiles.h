@@ -26,9 +26,9 @@ class Tiles {
         return index(column(place.x, low_.x, width_), column(place.y, low_.y, depth_));
     }
     Box2 box(std::size_t tile) const {
-        const Vec2 low =
-            low_ +
-            Vec2(double(tile % std::size_t(width_)), double(tile / std::size_t(width_))) * side_;
+        const std::size_t row = tile / std::size_t(width_);
+        const std::size_t column = tile % std::size_t(width_);
+        const Vec2 low = low_ + Vec2(double(column), double(row)) * side_;
         return {low, low + Vec2(side_)};
     }
     std::vector<std::uint32_t> of_colour(int colour) const {

@@ -52,7 +52,9 @@ WideVec3 slerp(const WideVec3& a, const WideVec3& b, double t) {
 /// between, each with its number of steps of n, so that faces share those of their edges.
 class Division {
   public:
-    Division(GeodesicSphere& sphere, int n) : sphere_(sphere), n_(n) {
+    Division(GeodesicSphere& sphere, int n) : sphere_(sphere), n_(n) {}
+
+    void run() {
         for (const auto& face : solid_.faces)
             divide(face);
     }
@@ -161,7 +163,8 @@ std::shared_ptr<const GeodesicSphere> geodesic_sphere(int n) {
     std::shared_ptr<const GeodesicSphere>& kept = made[n];
     if (!kept) {
         auto sphere = std::make_shared<GeodesicSphere>();
-        Division(*sphere, n);
+        Division division(*sphere, n);
+        division.run();
         sphere->edge = std::sqrt(4 * pi / double(sphere->triangles.size()) * 4 / std::sqrt(3.0));
         add_uvs(*sphere);
         kept = std::move(sphere);

@@ -67,7 +67,7 @@ void RockBody::add_faces(const RockSettings& settings, Random& random) {
 }
 
 WideVec3 RockBody::protruding(Random& random, int tries) const {
-    WideVec3 best;
+    WideVec3 best(0, 0, 1);
     double least = std::numeric_limits<double>::max();
     for (int i = 0; i < tries; ++i) {
         const WideVec3 direction = random_direction(random);

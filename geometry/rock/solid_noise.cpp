@@ -61,7 +61,9 @@ std::uint32_t lattice_hash(int x, int y, int z, std::uint32_t seed) {
 
 double gradient_noise(const WideVec3& p, std::uint32_t seed) {
     const Cell cell = cell_of(p);
-    const auto [x, y, z] = cell.at;
+    const int x = cell.at[0];
+    const int y = cell.at[1];
+    const int z = cell.at[2];
     const WideVec3& f = cell.within;
     const double u = fade(f.x);
     const double v = fade(f.y);
