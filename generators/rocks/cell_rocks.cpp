@@ -22,20 +22,6 @@ Ring convex_outline(const RocksSettings& settings) {
     return ring;
 }
 
-bool is_inside(const Ring& convex, const Vec2& point) {
-    for (std::size_t i = 0; i < convex.size(); ++i)
-        if (cross(convex[(i + 1) % convex.size()] - convex[i], point - convex[i]) < 0)
-            return false;
-    return true;
-}
-
-Box2 box_of(const Ring& ring) {
-    Box2 box;
-    for (const Vec2& p : ring)
-        box.extendBy(p);
-    return box;
-}
-
 Aggregate aggregate_of(std::vector<Mesh> meshes, std::span<const std::size_t> kinds,
                        const RocksSettings& settings) {
     Aggregate aggregate;

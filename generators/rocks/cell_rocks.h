@@ -12,11 +12,6 @@ namespace scree::rocks {
 /// The domain's outline, counter-clockwise. Throws Error, located, where it is not convex.
 Ring convex_outline(const RocksSettings& settings);
 
-/// Whether a point is in a convex ring that turns counter-clockwise.
-bool is_inside(const Ring& convex, const Vec2& point);
-
-Box2 box_of(const Ring& ring);
-
 /// An aggregate of rocks of which each has a shape of its own, in the scene's frame.
 /// @param kinds of each mesh, which of the generator's materials is its, in turn
 Aggregate aggregate_of(std::vector<Mesh> meshes, std::span<const std::size_t> kinds,

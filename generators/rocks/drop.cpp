@@ -4,7 +4,6 @@
 #include "core/parallel.h"
 #include "core/random.h"
 #include "generators/rocks/tiles.h"
-#include "geometry/bodies/pose.h"
 
 #include <algorithm>
 
@@ -190,14 +189,7 @@ Imath::M33d Dropping::first_turn(Random& random) const {
                             : radians(usual_tilt) * std::sqrt(-2 * std::log(1 - random.uniform()));
     const WideVec3 axis =
         WideVec3(0, 1, 0).cross(WideVec3(std::cos(lean_to), 0, std::sin(lean_to)));
-    const Rotation rotation(axis * lean);
-    Imath::M33d out;
-    for (int i = 0; i < 3; ++i) {
-        const WideVec3 row = rotation(WideVec3(level[i][0], level[i][1], level[i][2]));
-        for (int k = 0; k < 3; ++k)
-            out[i][k] = row[k];
-    }
-    return out;
+    return turned(level, Rotation(axis * lean));
 }
 
 bool Dropping::is_near_twin(std::uint32_t surface, std::size_t tile, const Vec2& place, double size,

@@ -76,7 +76,7 @@ class Likelihood {
             if (contains(*settings.domain, place))
                 heights.push_back(ground.height(place));
         }
-        std::tie(height_, height_spread_) = mean_and_spread(heights);
+        height_spread_ = mean_and_spread(heights).second;
         lowest_ = *std::min_element(heights.begin(), heights.end());
         highest_ = *std::max_element(heights.begin(), heights.end());
         std::vector<double> logs(sizes.begin(), sizes.end());
@@ -115,7 +115,6 @@ class Likelihood {
     const RocksSettings& settings_;
     const Ground& ground_;
     double most_dense_ = 1;
-    double height_ = 0;
     double height_spread_ = 0;
     double lowest_ = 0;
     double highest_ = 0;

@@ -19,7 +19,6 @@ double turn(const Gap& a, const Gap& b, const Gap& c) {
 LoweringPlane plane_through(const std::array<Gap, 3>& legs) {
     const double area = turn(legs[0], legs[1], legs[2]);
     LoweringPlane plane;
-    plane.legs = legs;
     const double h1 = legs[1].height - legs[0].height;
     const double h2 = legs[2].height - legs[0].height;
     const double x1 = legs[1].x - legs[0].x;

@@ -26,7 +26,6 @@ struct LoweringPlane {
     double slope_x = 0;
     double slope_z = 0;
     bool held = false; // three gaps hold it; otherwise it is as steep as it may be
-    std::array<Gap, 3> legs{};
 };
 
 /// The plane that is nowhere above the gaps and highest at the centre of mass: lowered by it, the

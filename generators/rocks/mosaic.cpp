@@ -63,13 +63,14 @@ std::vector<CellPlan> plan_cells(const RocksSettings& settings, double ground) {
     return plans;
 }
 
-PrescribedAreas fitted_cells(const Ring& domain, const std::vector<CellPlan>& plans,
-                             std::uint64_t seed, const Context& context) {
+PrescribedAreas fitted_cells(const RocksSettings& settings, const std::vector<CellPlan>& plans,
+                             const Context& context) {
+    const Ring domain = convex_outline(settings);
     std::vector<double> areas;
     areas.reserve(plans.size());
     for (const CellPlan& plan : plans)
         areas.push_back(plan.area);
-    std::vector<Vec2> sites = spread_sites(domain, areas, seed);
+    std::vector<Vec2> sites = spread_sites(*settings.domain, areas, settings.seed);
     PrescribedAreas fit;
     for (int step = 0; step <= lloyd_steps; ++step) {
         context.check_cancel();
@@ -143,10 +144,9 @@ Mesh rock_in_cell(const RocksSettings& settings, const PowerCell& cell, std::siz
 
 Aggregate bake_mosaic(const RocksSettings& settings, const Context& context) {
     StageTimes stages;
-    const Ring domain = convex_outline(settings);
     const double ground = area(*settings.domain);
     const std::vector<CellPlan> plans = plan_cells(settings, ground);
-    const PrescribedAreas fit = fitted_cells(domain, plans, settings.seed, context);
+    const PrescribedAreas fit = fitted_cells(settings, plans, context);
     stages.end("cells");
 
     std::vector<std::size_t> shown;

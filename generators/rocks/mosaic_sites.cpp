@@ -2,7 +2,6 @@
 #include "generators/rocks/mosaic_sites.h"
 
 #include "core/random.h"
-#include "generators/rocks/cell_rocks.h"
 
 #include <algorithm>
 #include <limits>
@@ -64,9 +63,9 @@ class Disks {
 
 } // namespace
 
-std::vector<Vec2> spread_sites(const Ring& domain, std::span<const double> areas,
+std::vector<Vec2> spread_sites(const Region& domain, std::span<const double> areas,
                                std::uint64_t seed) {
-    const Box2 box = box_of(domain);
+    const Box2 box = bounds(domain);
     const Vec2 extent = box.size();
     Disks disks(box, 1.5 * std::sqrt(extent.x * extent.y / double(areas.size())));
     std::vector<Vec2> sites;
@@ -79,7 +78,7 @@ std::vector<Vec2> spread_sites(const Ring& domain, std::span<const double> areas
         for (int k = 0; k < candidates && farthest < good_enough * radius;) {
             const Vec2 p(random.uniform(box.min.x, box.max.x),
                          random.uniform(box.min.y, box.max.y));
-            if (!is_inside(domain, p))
+            if (!contains(domain, p))
                 continue;
             ++k;
             if (const double distance = disks.distance(p, radius); distance > farthest) {

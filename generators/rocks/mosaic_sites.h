@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/math.h"
+#include "geometry/plane/region.h"
 
 #include <cstdint>
 #include <span>
@@ -10,9 +10,8 @@ namespace scree::rocks {
 
 /// A site in the domain for a cell of each area, so that cells of these areas fit about them: the
 /// best of some random candidates each (Mitchell 1991), as disks of the areas, from the first on.
-/// @param domain convex, counter-clockwise
 /// @param areas largest first [m^2]
-std::vector<Vec2> spread_sites(const Ring& domain, std::span<const double> areas,
+std::vector<Vec2> spread_sites(const Region& domain, std::span<const double> areas,
                                std::uint64_t seed);
 
 } // namespace scree::rocks

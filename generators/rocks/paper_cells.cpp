@@ -2,7 +2,6 @@
 #include "generators/rocks/paper_cells.h"
 
 #include "core/random.h"
-#include "generators/rocks/cell_rocks.h"
 #include "geometry/plane/power_diagram.h"
 
 #include <algorithm>
@@ -56,16 +55,23 @@ class Buckets {
     std::vector<std::vector<std::size_t>> members_;
 };
 
-std::vector<Vec2> throw_darts(const Ring& domain, std::size_t wanted, double apart,
+Box2 box_of(const Ring& ring) {
+    Box2 box;
+    for (const Vec2& p : ring)
+        box.extendBy(p);
+    return box;
+}
+
+std::vector<Vec2> throw_darts(const Region& domain, std::size_t wanted, double apart,
                               std::uint64_t seed, std::size_t size_class, const Context& context) {
-    const Box2 box = box_of(domain);
+    const Box2 box = bounds(domain);
     Buckets buckets(box, apart);
     Random random(seed, Purpose::rock_cell, size_class);
     std::vector<Vec2> sites;
     std::size_t misses = 0;
     while (sites.size() < wanted && misses < most_misses) {
         const Vec2 p(random.uniform(box.min.x, box.max.x), random.uniform(box.min.y, box.max.y));
-        if (!is_inside(domain, p))
+        if (!contains(domain, p))
             continue;
         const bool hit = !buckets.any({p - Vec2(apart), p + Vec2(apart)}, [&](std::size_t i) {
             return (sites[i] - p).length2() < apart * apart;
@@ -115,7 +121,7 @@ PaperCells paper_cells(const Ring& domain, const RocksSettings& settings, const 
         const auto wanted =
             static_cast<std::size_t>(std::lround(ground / cell_area(settings.classes[c])));
         const std::vector<Vec2> sites =
-            throw_darts(domain, wanted, settings.half_exclusion ? radius / 2 : radius,
+            throw_darts(*settings.domain, wanted, settings.half_exclusion ? radius / 2 : radius,
                         settings.seed, c, context);
         out.wanted.push_back(double(wanted));
         out.sites.push_back(double(sites.size()));
@@ -123,7 +129,7 @@ PaperCells paper_cells(const Ring& domain, const RocksSettings& settings, const 
         smallest = std::min(smallest, radius);
     }
     out.shares.assign(settings.classes.size(), 0.0);
-    Buckets buckets(box_of(domain), smallest);
+    Buckets buckets(bounds(*settings.domain), smallest);
     for (const std::size_t c : by_size(diagrams)) {
         std::vector<PowerCell>& cells = diagrams[c];
         Random random(settings.seed, Purpose::rock_cell, ~std::uint64_t{0} - c);

@@ -2,7 +2,6 @@
 #include "generators/rocks/resting_rock.h"
 
 #include "generators/rocks/friction_hold.h"
-#include "geometry/bodies/pose.h"
 
 #include <algorithm>
 
@@ -25,15 +24,8 @@ constexpr double longest_slide = 0.15; // of one step
 constexpr int most_slides = 2;
 
 /// The rotation by which the rock follows a plane down.
-Imath::M33d turned(const Imath::M33d& rows, const LoweringPlane& plane) {
-    const Rotation rotation(WideVec3(std::atan(plane.slope_z), 0, -std::atan(plane.slope_x)));
-    Imath::M33d out;
-    for (int i = 0; i < 3; ++i) {
-        const WideVec3 row = rotation(WideVec3(rows[i][0], rows[i][1], rows[i][2]));
-        for (int k = 0; k < 3; ++k)
-            out[i][k] = row[k];
-    }
-    return out;
+Rotation following(const LoweringPlane& plane) {
+    return Rotation(WideVec3(std::atan(plane.slope_z), 0, -std::atan(plane.slope_x)));
 }
 
 } // namespace
@@ -231,7 +223,7 @@ bool RestingRock::settle(const MayBe& may_be) {
             slope = steepest_turn;
             continue;
         }
-        pose(turned(pose_.turn, plane), pose_.column, pose_.row, pose_.offset, next_);
+        pose(turned(pose_.turn, following(plane)), pose_.column, pose_.row, pose_.offset, next_);
         lower(next_, next_gaps_);
         const double came = pose_.height - next_.height;
         if (came > 0)

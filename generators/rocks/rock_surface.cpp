@@ -43,6 +43,16 @@ RockSurface make_rock_surface(const RockSettings& settings, int level, std::stri
     return surface;
 }
 
+Imath::M33d turned(const Imath::M33d& rows, const Rotation& rotation) {
+    Imath::M33d out;
+    for (int i = 0; i < 3; ++i) {
+        const WideVec3 row = rotation(WideVec3(rows[i][0], rows[i][1], rows[i][2]));
+        for (int k = 0; k < 3; ++k)
+            out[i][k] = row[k];
+    }
+    return out;
+}
+
 void pose_vertices(const RockSurface& surface, const Imath::M33d& world_from_rock, double scale,
                    std::vector<Vec3>& out) {
     const Imath::M33f turn(world_from_rock * scale);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "geometry/bodies/pose.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/rock/rock_settings.h"
 
@@ -30,6 +31,9 @@ struct PlacedRock {
     Imath::M33d world_from_rock; // a rotation; its rows are the images of the rock's axes
     bool placed = false;         // false: no place was found
 };
+
+/// The rows of a rotation, turned.
+Imath::M33d turned(const Imath::M33d& rows, const Rotation& rotation);
 
 /// The vertices turned and scaled, relative to the centre of mass [m].
 void pose_vertices(const RockSurface& surface, const Imath::M33d& world_from_rock, double scale,

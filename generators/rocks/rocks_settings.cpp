@@ -97,7 +97,6 @@ void read_classes(const Params& params, RocksSettings& settings) {
         settings.classes.push_back({given.number("radius"), given.number("share")});
         settings.swellings.push_back(
             {WideVec3(given.vector3("widening")), WideVec3(given.vector3("height"))});
-        settings.class_places.push_back(given.place("radius"));
         shares += given.number("share");
         const Vec2 extent = bounds(*settings.domain).size();
         if (given.number("radius") > std::min(extent.x, extent.y))
@@ -149,7 +148,6 @@ void read_ground(const Params& params, const Preset& preset, RocksSettings& sett
     settings.flow = number_or(params, "flow", 0);
     settings.sorting = number_or(params, "sorting", preset.sorting);
     settings.density = field_of(params, "density");
-    settings.density_place = params.place("density");
 }
 
 void read_materials(const Params& params, RocksSettings& settings) {

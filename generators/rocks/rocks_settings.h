@@ -31,7 +31,6 @@ struct RocksSettings {
 
     std::vector<SizeClass> classes;
     std::vector<Swelling> swellings; // of each class, for the paper's method
-    std::vector<ParamPlace> class_places;
     Distribution distribution = Distribution::classes;
     double smallest = 0; // longest axis [m]
     double largest = 0;
@@ -51,7 +50,6 @@ struct RocksSettings {
     double flow = 0;                      // [rad]
     double sorting = 0;                   // by how much ln D falls for a metre of height [1/m]
     std::shared_ptr<const Field> density; // may be null
-    ParamPlace density_place;
 
     int level = 0; // of all meshes; 0: by size
     int prototypes = 64;
