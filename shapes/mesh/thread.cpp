@@ -34,7 +34,8 @@ Mesh thread_surface(std::span<const double> angles, const Thread& thread) {
             const int row = i == columns ? std::min(j + corners, rows) : j;
             const double angle = i == columns ? angles[0] : angles[i];
             const ProfileCorner& corner = thread_profile[std::size_t(row % corners)];
-            const double turns = double(row / corners) - 2 + corner.along + angle / (2 * pi);
+            const int whole_turns = row / corners - 2;
+            const double turns = whole_turns + corner.along + angle / (2 * pi);
             const double y =
                 std::clamp(thread.bottom + turns * thread.pitch, thread.bottom, thread.top);
             const double rise =

@@ -69,17 +69,18 @@ TEST(RockFootprint, IsBelowTheUndersideEverywhere) {
 TEST(LoweringPlane, IsTheHighestBelowAllGaps) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         Random random(seed, Purpose::test);
-        std::vector<Gap> gaps;
-        for (int i = 0; i < 60; ++i)
-            gaps.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0, 0.3)});
+        std::vector<Gap> gaps(60);
+        for (Gap& gap : gaps)
+            gap = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0, 0.3)};
         const LoweringPlane plane = lowering_plane(gaps, 1, 0.5);
         for (const Gap& gap : gaps)
             EXPECT_GE(gap.height,
                       plane.height + plane.slope_x * gap.x + plane.slope_z * gap.z - 1e-8);
         // Any other plane below the gaps is lower at the centre: tried on a grid of slopes.
         double best = 0;
-        for (double x = -0.5; x <= 0.5; x += 0.02)
-            for (double z = -0.5; z <= 0.5; z += 0.02) {
+        for (int i = -25; i <= 25; ++i)
+            for (int j = -25; j <= 25; ++j) {
+                const double x = 0.02 * i, z = 0.02 * j;
                 double height = 10;
                 for (const Gap& gap : gaps)
                     height = std::min(height, gap.height - x * gap.x - z * gap.z);
@@ -154,8 +155,9 @@ TEST(ExactContact, MovesARockDownToWhereItTouches) {
             return best;
         };
         double brute = 1e9;
-        for (double x = -0.6; x <= 0.6; x += 0.01)
-            for (double z = -0.6; z <= 0.6; z += 0.01) {
+        for (int i = -60; i <= 60; ++i)
+            for (int j = -60; j <= 60; ++j) {
+                const double x = 0.01 * i, z = 0.01 * j;
                 const double bottom = height + at(above, surfaces[1].triangles, {x, z}, false);
                 const Vec2 seen = centre + Vec2(x, z) - middle;
                 const double rock_top = 0.8 + at(below, surfaces[0].triangles, seen, true);
@@ -206,13 +208,13 @@ class Drop : public testing::Test {
   protected:
     std::vector<PlacedRock> drop(int threads) {
         const ThreadLimit limit(threads);
-        return drop_rocks({.ground = ground_,
-                           .domain = domain_,
-                           .surfaces = surfaces_,
+        return drop_rocks({.ground = ground,
+                           .domain = domain,
+                           .surfaces = surfaces,
                            .sizes = power_sizes(0.1, 0.6, 2, 500, 1),
                            .surface_of =
                                [&](std::size_t, std::uint32_t kind) {
-                                   return kind % std::uint32_t(surfaces_.size());
+                                   return kind % std::uint32_t(surfaces.size());
                                },
                            .likely = {},
                            .rest = {.burial = 0},
@@ -220,9 +222,9 @@ class Drop : public testing::Test {
                           {});
     }
 
-    Ground ground_{0.3};
-    Region domain_ = square(4);
-    std::vector<RockSurface> surfaces_{rock(1), rock(2), rock(3), rock(4), rock(5), rock(6)};
+    Ground ground{0.3};
+    Region domain = square(4);
+    std::vector<RockSurface> surfaces{rock(1), rock(2), rock(3), rock(4), rock(5), rock(6)};
 };
 
 TEST_F(Drop, DoesNotDependOnThreads) {
@@ -244,10 +246,10 @@ TEST_F(Drop, PlacesNearlyAllAndNoneUnderground) {
             continue;
         ++placed;
         std::vector<Vec3> vertices;
-        pose_vertices(surfaces_[one.surface], one.world_from_rock, one.scale, vertices);
+        pose_vertices(surfaces[one.surface], one.world_from_rock, one.scale, vertices);
         for (const Vec3& v : vertices) {
             const WideVec3 p = one.centre + WideVec3(v);
-            EXPECT_GT(p.y - ground_.height({p.x, p.z}), -1e-5);
+            EXPECT_GT(p.y - ground.height({p.x, p.z}), -1e-5);
         }
     }
     EXPECT_GT(placed, rocks.size() * 9 / 10);
