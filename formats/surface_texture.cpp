@@ -11,10 +11,14 @@ namespace scree {
 
 namespace {
 
-ShadingPoint shading_point(const UvRaster& raster, std::uint32_t texel) {
+ShadingPoint shading_point(const Mesh& mesh, const UvRaster& raster, std::uint32_t texel) {
     const TexelPlace place = raster.place(texel);
+    const Mesh::Triangle& t = mesh.triangles[place.triangle];
+    const Vec3& a = mesh.positions[t[0]];
     ShadingPoint point;
     point.position = place.position;
+    point.level = place.position.y;
+    point.up = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).normalized().y;
     point.footprint = place.across.length();
     point.uv = place.uv;
     point.uv_footprint =
@@ -40,7 +44,8 @@ Image surface_texture(const TextureSource& source, const UvRaster& raster, Textu
     if (channel == TextureChannel::normal)
         frames.emplace(*source.mesh);
     source.evaluate(
-        texels.size(), [&](std::size_t i) { return shading_point(raster, texels[i]); },
+        texels.size(),
+        [&](std::size_t i) { return shading_point(*source.mesh, raster, texels[i]); },
         [&](std::size_t i, const ShadingSample& sample) {
             float* pixel = &image.pixels[texels[i] * image.channels.size()];
             if (!frames)

@@ -19,6 +19,9 @@ struct ShadingPoint {
     // each is length^2 / 12. Both are 0 for an unfiltered point.
     Vec3 across{0.0F, 0.0F, 0.0F}; // the short side, `footprint` long
     Vec3 along{0.0F, 0.0F, 0.0F};  // the long side, stretched by the slant of the surface
+    // In the scene; of a texture over UVs, in the object's frame.
+    float level = 0; // height over y = 0 [m]
+    float up = 1;    // y of the surface's unit normal
 };
 
 /// The value of a procedural at a point.

@@ -11,6 +11,7 @@
 #include "procedurals/solid/marble/marble.h"
 #include "procedurals/solid/stone/stone.h"
 #include "procedurals/solid/wood/wood.h"
+#include "procedurals/weathered.h"
 
 namespace scree {
 
@@ -26,6 +27,7 @@ Registry<MakeProcedural> procedural_table() {
     table.add(marble_plugin());
     table.add(stone_plugin());
     table.add(wood_plugin());
+    table.add(weathered_plugin());
     return table;
 }
 

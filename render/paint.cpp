@@ -47,6 +47,8 @@ ShadingPoint shading_point(const Hit& hit, const Vec3& direction, float footprin
     ShadingPoint point;
     point.position = hit.object_position * stretch;
     point.random = hit.random;
+    point.level = hit.level;
+    point.up = hit.shading_normal.y;
 
     const Vec3 level = hit.normal.cross(direction); // its length is the sine of the slant
     const float square = level.dot(level);

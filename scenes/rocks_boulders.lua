@@ -1,4 +1,4 @@
--- Boulders half buried in hilly ground.
+-- Boulders half buried in hilly ground, grown over with lichen.
 local rocks = include("parts/rocks.lua")
 
 -- Hills of a few waves; no two periods share a multiple nearby.
@@ -9,14 +9,18 @@ local ground = mesh.terrain { height = field["function"] { value = height, width
 
 return scene {
   film = { width = 1280, height = 720, samples = arg("samples", 64), clamp = 6 },
-  camera = camera.perspective { from = { 0.5, 2.1, 6.4 }, at = { 0.2, -0.25, 0.6 }, fov = 38 },
+  camera = camera.perspective { from = { 0.5, 2.1, 6.4 }, at = { 0.2, -0.62, 0.6 }, fov = 36 },
   lights = rocks.daylight({ -1.0, 0.55, 0.2 }),
   objects = {
     generator.rocks {
       preset = "moraine", ground = ground,
       domain = region.rectangle { width = 14, depth = 13 },
       smallest = 0.05, largest = 1.6, exponent = 2.1, cover = arg("cover", 0.35), burial = 0.4,
-      materials = { rocks.granite("bianco_sardo"), rocks.sandstone({ 0.33, 0.31, 0.28 }), rocks.sandstone({ 0.27, 0.26, 0.25 }) },
+      materials = {
+        rocks.old(rocks.granite_texture("bianco_sardo"), 0.45, 0.3),
+        rocks.old(rocks.sandstone_texture({ 0.33, 0.31, 0.28 }), 0.35, 0.3),
+        rocks.old(rocks.sandstone_texture({ 0.27, 0.26, 0.25 }), 0.5, 0.3),
+      },
       ground_material = rocks.sand,
       measure = arg("measure", 0), seed = arg("seed", 1),
     },

@@ -78,7 +78,6 @@ class Dropping {
 
   private:
     void drop(const Octave& octave);
-    void add_earlier_to(HeightMap& map, std::size_t end) const;
     void drop_round(std::span<const std::uint32_t> numbers, int round, HeightMap& map);
     void drop_in_tile(std::span<const std::uint32_t> numbers, std::size_t tile, int round,
                       HeightMap& map);
@@ -104,7 +103,7 @@ class Dropping {
 
 void Dropping::drop(const Octave& octave) {
     HeightMap map(map_area(problem_.domain, problem_.sizes.front()), octave.cell, problem_.ground);
-    add_earlier_to(map, octave.first);
+    map.add(std::span(rocks_).first(octave.first), problem_.surfaces);
     tiles_.emplace_back(bounds(problem_.domain), tile_side * octave.largest);
     tile_margin_ = tile_margin * octave.largest;
     const std::size_t count = octave.end - octave.first;
@@ -140,26 +139,6 @@ void Dropping::drop_round(std::span<const std::uint32_t> numbers, int round, Hei
             context_.check_cancel();
             drop_in_tile(waiting[together[k]], together[k], round, map);
         });
-    }
-}
-
-void Dropping::add_earlier_to(HeightMap& map, std::size_t end) const {
-    std::vector<Vec3> vertices;
-    Footprint top;
-    for (std::size_t i = 0; i < end; ++i) {
-        const PlacedRock& rock = rocks_[i];
-        if (!rock.placed)
-            continue;
-        const RockSurface& surface = problem_.surfaces[rock.surface];
-        // The map rasterises about the middle of a cell, where the centre seldom is.
-        const int column = map.column(rock.centre.x);
-        const int row = map.row(rock.centre.z);
-        const Vec2 off = Vec2(rock.centre.x, rock.centre.z) - map.place(column, row);
-        pose_vertices(surface, rock.world_from_rock, rock.scale, vertices);
-        for (Vec3& v : vertices)
-            v += Vec3(float(off.x), 0, float(off.y));
-        rasterise(vertices, surface.triangles, map.cell(), Side::top, top);
-        map.add(top, column, row, rock.centre.y, static_cast<std::uint32_t>(i));
     }
 }
 
@@ -225,8 +204,6 @@ bool Dropping::hang_over_lowest(const Vec2& near, double size, const MayBe& may_
             continue;
         const int column = map.column(place.x);
         const int row = map.row(place.y);
-        if (is_perch(map.rock(column, row), size, map.height(column, row)))
-            continue;
         const double ground = problem_.ground.height(place);
         const double above = rock.rest(column, row, lowest + ground) - ground;
         if (above < lowest) {
@@ -255,8 +232,11 @@ bool Dropping::try_to_drop(std::uint32_t i, std::size_t tile, Random& random, Re
     box.min -= Vec2(tile_margin_);
     box.max += Vec2(tile_margin_);
     const auto may_be = [&](const Vec2& place) {
+        const int column = map.column(place.x);
+        const int row = map.row(place.y);
         return box.intersects(place) && contains(problem_.domain, place) &&
-               problem_.ground.is_under(place);
+               problem_.ground.is_under(place) &&
+               !is_perch(map.rock(column, row), size, map.height(column, row));
     };
     if (!hang_over_lowest(*near, size, may_be, random, map, rock) || !rock.settle(may_be))
         return false;
@@ -281,8 +261,8 @@ void Dropping::drop_in_tile(std::span<const std::uint32_t> numbers, std::size_t 
             if (!try_to_drop(i, tile, random, rock, map))
                 continue;
             tiles_.back().add(tile, i);
-            rock.add_to(map, i);
             const RockSurface& surface = problem_.surfaces[rocks_[i].surface];
+            map.add(rocks_[i], surface, i);
             if (surface.triangles.size() > triangles_of_grid)
                 tops_[i] = std::make_shared<const TopGrid>(rock.vertices(), surface.triangles);
         }

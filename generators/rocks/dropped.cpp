@@ -58,7 +58,7 @@ std::vector<double> sizes_of(const RocksSettings& settings) {
     return class_sizes(settings.classes, settings.cover, ground, fill, settings.seed);
 }
 
-/// How likely a place is: by the density, and by height so that larger rocks lie lower.
+/// How likely a place is: by the density, and by what draws large rocks there and small ones away.
 class Likelihood {
   public:
     Likelihood(const RocksSettings& settings, const Ground& ground, std::span<const double> sizes)
@@ -66,41 +66,46 @@ class Likelihood {
         const Box2 box = bounds(*settings.domain);
         if (settings.density)
             most_dense_ = settings.density->over(box).high;
-        if (settings.sorting == 0 || sizes.empty())
+        if ((settings.sorting == 0 && !settings.size) || sizes.empty())
             return;
-        std::vector<double> heights;
+        std::vector<double> pulls;
         Random random(settings.seed, Purpose::rock_place, ~std::uint64_t{0});
         for (int i = 0; i < 4096; ++i) {
             const Vec2 place(random.uniform(box.min.x, box.max.x),
                              random.uniform(box.min.y, box.max.y));
             if (contains(*settings.domain, place))
-                heights.push_back(ground.height(place));
+                pulls.push_back(pull(place));
         }
-        height_spread_ = mean_and_spread(heights).second;
-        lowest_ = *std::min_element(heights.begin(), heights.end());
-        highest_ = *std::max_element(heights.begin(), heights.end());
+        pull_spread_ = mean_and_spread(pulls).second;
+        least_pull_ = *std::min_element(pulls.begin(), pulls.end());
+        greatest_pull_ = *std::max_element(pulls.begin(), pulls.end());
         std::vector<double> logs(sizes.begin(), sizes.end());
         for (double& size : logs)
             size = std::log(size);
         std::tie(log_size_, log_spread_) = mean_and_spread(logs);
     }
 
-    bool is_even() const { return !settings_.density && !(height_spread_ * log_spread_ > 0); }
+    bool is_even() const { return !settings_.density && !(pull_spread_ * log_spread_ > 0); }
 
     double operator()(const Vec2& place, double size) const {
         double likely = settings_.density ? settings_.density->at(place) / most_dense_ : 1;
-        if (height_spread_ * log_spread_ > 0) {
-            // With the weight exp(-t h), t small, the mean height falls by t times its variance:
-            // so that ln D falls by `sorting` for each metre, t is this.
-            const double t =
-                settings_.sorting * (std::log(size) - log_size_) / (log_spread_ * log_spread_);
-            const double best = t > 0 ? lowest_ : highest_;
-            likely *= std::exp(-t * (ground_.height(place) - best));
+        if (pull_spread_ * log_spread_ > 0) {
+            // With the weight exp(t p), t small, the mean pull rises by t times its variance: so
+            // that ln D rises by as much as the pull does, t is this.
+            const double t = (std::log(size) - log_size_) / (log_spread_ * log_spread_);
+            const double best = t > 0 ? greatest_pull_ : least_pull_;
+            likely *= std::exp(t * (pull(place) - best));
         }
         return likely;
     }
 
   private:
+    /// By how much ln D is to be greater at a place than elsewhere.
+    double pull(const Vec2& place) const {
+        return (settings_.size ? settings_.size->at(place) : 0) -
+               settings_.sorting * ground_.height(place);
+    }
+
     static std::pair<double, double> mean_and_spread(std::span<const double> values) {
         double sum = 0;
         double squares = 0;
@@ -115,9 +120,9 @@ class Likelihood {
     const RocksSettings& settings_;
     const Ground& ground_;
     double most_dense_ = 1;
-    double height_spread_ = 0;
-    double lowest_ = 0;
-    double highest_ = 0;
+    double pull_spread_ = 0;
+    double least_pull_ = 0;
+    double greatest_pull_ = 0;
     double log_size_ = 0;
     double log_spread_ = 0;
 };

@@ -2,6 +2,7 @@
 #include "generators/rocks/footprint.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace scree::rocks {
@@ -20,25 +21,6 @@ struct Interval {
     }
 };
 
-/// An edge seen from above, from its end with the smaller z.
-struct Edge {
-    Edge(const Vec3& p, const Vec3& q) : low(p.z < q.z ? p : q), high(p.z < q.z ? q : p) {
-        slope = high.z > low.z ? (high.x - low.x) / (high.z - low.z) : 0;
-    }
-
-    /// Adds to `x` what of the edge lies between two lines of constant z.
-    void clip(float from, float to, Interval& x) const {
-        if (high.z < from || low.z > to)
-            return;
-        x.add(low.z < from ? low.x + slope * (from - low.z) : low.x);
-        x.add(high.z > to ? low.x + slope * (to - low.z) : high.x);
-    }
-
-    const Vec3& low;
-    const Vec3& high;
-    float slope = 0;
-};
-
 template <Side side>
 class Raster {
   public:
@@ -49,19 +31,16 @@ class Raster {
         const Vec3 normal = (b - a).cross(c - a);
         if (is_top ? normal.y < 0 : normal.y > 0)
             return; // of the other side
-        const auto [low_z, high_z] = std::minmax({a.z, b.z, c.z});
         const auto [low_y, high_y] = std::minmax({a.y, b.y, c.y});
         const float extreme = is_top ? high_y : low_y;
         const bool upright = std::abs(normal.y) < 1e-4F * (std::abs(normal.x) + std::abs(normal.z));
         const float gx = upright ? 0 : -normal.x / normal.y;
         const float gz = upright ? 0 : -normal.z / normal.y;
         const float over_cell = (is_top ? 0.5F : -0.5F) * cell_ * (std::abs(gx) + std::abs(gz));
-        const std::array<Edge, 3> edges{Edge(a, b), Edge(b, c), Edge(c, a)};
-        for (int j = cell_of(low_z, per_cell_); j <= cell_of(high_z, per_cell_); ++j) {
+        const int first_row = find_rows(a, b, c);
+        for (int j = first_row; j < first_row + static_cast<int>(rows_.size()); ++j) {
             const float middle = static_cast<float>(j) * cell_;
-            Interval x;
-            for (const Edge& edge : edges)
-                edge.clip(middle - 0.5F * cell_, middle + 0.5F * cell_, x);
+            const Interval& x = rows_[std::size_t(j - first_row)];
             const int first = std::max(cell_of(x.low, per_cell_), out_.first_x);
             const int last = std::min(cell_of(x.high, per_cell_), out_.first_x + out_.width - 1);
             float* row = out_.heights.data() + std::ptrdiff_t(j - out_.first_z) * out_.width;
@@ -79,9 +58,39 @@ class Raster {
   private:
     static constexpr bool is_top = side == Side::top;
 
+    /// Of each row of cells that a triangle reaches into, what it covers of x; returns the first.
+    int find_rows(const Vec3& a, const Vec3& b, const Vec3& c) {
+        const std::array<const Vec3*, 3> corners{&a, &b, &c};
+        const std::array<int, 3> row{cell_of(a.z, per_cell_), cell_of(b.z, per_cell_),
+                                     cell_of(c.z, per_cell_)};
+        const int first = std::min({row[0], row[1], row[2]});
+        rows_.assign(std::size_t(std::max({row[0], row[1], row[2]}) - first + 1), {});
+        for (std::size_t i = 0; i < 3; ++i)
+            rows_[std::size_t(row[i] - first)].add(corners[i]->x);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t next = i < 2 ? i + 1 : 0;
+            if (row[i] == row[next])
+                continue;
+            // Where the edge goes from one row to the next, it is in both.
+            const Vec3& p = *corners[i];
+            const Vec3& q = *corners[next];
+            const float slope = (q.x - p.x) / (q.z - p.z);
+            const auto [low, high] = std::minmax(p.x, q.x);
+            const auto [from, to] = std::minmax(row[i], row[next]);
+            for (int j = from; j < to; ++j) {
+                const float border = (static_cast<float>(j) + 0.5F) * cell_;
+                const float x = std::clamp(p.x + slope * (border - p.z), low, high);
+                rows_[std::size_t(j - first)].add(x);
+                rows_[std::size_t(j + 1 - first)].add(x);
+            }
+        }
+        return first;
+    }
+
     Footprint& out_;
     float cell_;
     float per_cell_;
+    std::vector<Interval> rows_;
 };
 
 template <Side side>

@@ -11,7 +11,9 @@ namespace {
 constexpr double friction = 0.7; // tan(35 degrees)
 constexpr double enough = 0.03;  // of the weight
 constexpr int most_sweeps = 60;
-constexpr int directions = 12; // in which the outermost contacts are looked for
+constexpr int sweeps_between_looks = 4;
+constexpr double least_progress = 0.9; // what is missing falls to this or less between two looks
+constexpr int directions = 12;         // in which the outermost contacts are looked for
 
 /// A force and its torque about the centre of mass.
 using Wrench = std::array<double, 6>;
@@ -67,6 +69,7 @@ bool can_rest(std::span<const Gap> contacts, double reach) {
         add_cone(*contact, reach, edges);
     std::vector<double> forces(edges.size(), 0.0);
     Wrench missing{0, 1, 0, 0, 0, 0};
+    double last = 1; // what was missing at the last look, squared
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         for (std::size_t k = 0; k < edges.size(); ++k) {
             const double next =
@@ -75,8 +78,14 @@ bool can_rest(std::span<const Gap> contacts, double reach) {
                 missing[i] -= (next - forces[k]) * edges[k][i];
             forces[k] = next;
         }
-        if (dot(missing, missing) < enough * enough)
+        const double left = dot(missing, missing);
+        if (left < enough * enough)
             return true;
+        if (sweep % sweeps_between_looks > 0)
+            continue;
+        if (left > least_progress * last)
+            return false; // as near as the cones come, or so
+        last = left;
     }
     return false;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/rocks/height_map.h"
 
+#include "core/parallel.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -9,6 +11,8 @@ namespace scree::rocks {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::lowest();
+constexpr int rows_of_band = 64; // at least
+constexpr int most_bands = 64;
 
 } // namespace
 
@@ -61,14 +65,41 @@ double HeightMap::rest(const Footprint& under, int i, int j, double sink, double
     return double(rest);
 }
 
-void HeightMap::add(const Footprint& top, int i, int j, double height, std::uint32_t number) {
-    const auto centre = static_cast<float>(height);
-    for (int row = 0; row < top.depth; ++row)
-        for (int column = 0; column < top.width; ++column) {
-            const int x = i + top.first_x + column;
-            const int z = j + top.first_z + row;
+void HeightMap::add(std::span<const PlacedRock> rocks, std::span<const RockSurface> surfaces) {
+    // Each band of rows is filled by one thread, in the order of the rocks.
+    const int rows = std::max(rows_of_band, depth_ / most_bands);
+    parallel_for(std::size_t(depth_ / rows + 1), 1, [&](std::size_t band) {
+        const int first = int(band) * rows;
+        for (std::uint32_t i = 0; i < rocks.size(); ++i)
+            if (rocks[i].placed)
+                add(rocks[i], surfaces[rocks[i].surface], i, first, std::min(first + rows, depth_));
+    });
+}
+
+void HeightMap::add(const PlacedRock& rock, const RockSurface& surface, std::uint32_t number,
+                    int first_row, int end_row) {
+    const int reach = static_cast<int>(double(surface.reach) * rock.scale / cell_) + 2;
+    const int middle = row(rock.centre.z);
+    if (middle + reach < first_row || middle - reach >= end_row)
+        return;
+    // A footprint is about the middle of a cell, where the centre seldom is.
+    const int i = column(rock.centre.x);
+    const Vec2 off = Vec2(rock.centre.x, rock.centre.z) - place(i, middle);
+    std::vector<Vec3> vertices;
+    pose_vertices(surface, rock.world_from_rock, rock.scale, vertices);
+    for (Vec3& v : vertices)
+        v += Vec3(float(off.x), 0, float(off.y));
+    Footprint top;
+    rasterise(vertices, surface.triangles, cell_, Side::top, top);
+    const auto centre = static_cast<float>(rock.centre.y);
+    const int above_first = middle + top.first_z; // row of the map
+    for (int k = std::max(0, first_row - above_first);
+         k < std::min(top.depth, end_row - above_first); ++k)
+        for (int m = 0; m < top.width; ++m) {
+            const int x = i + top.first_x + m;
+            const int z = above_first + k;
             const float above =
-                top.heights[std::size_t(row) * std::size_t(top.width) + std::size_t(column)];
+                top.heights[std::size_t(k) * std::size_t(top.width) + std::size_t(m)];
             if (!contains(x, z) || !top.has(above) || centre + above <= tops_[index(x, z)])
                 continue;
             tops_[index(x, z)] = centre + above;

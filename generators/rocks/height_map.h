@@ -3,6 +3,7 @@
 
 #include "generators/rocks/footprint.h"
 #include "generators/rocks/ground.h"
+#include "generators/rocks/rock_surface.h"
 
 #include <algorithm>
 #include <limits>
@@ -31,8 +32,8 @@ class HeightMap {
     double rest(const Footprint& under, int i, int j, double sink,
                 double enough = std::numeric_limits<double>::max()) const;
 
-    /// Calls visit(index in the footprint, column, row, height of what is there) for all cells of
-    /// the map under the footprint.
+    /// Calls visit(index in the footprint, height of what is there) for the cells that a footprint
+    /// over cell (i, j) covers.
     template <class Visit>
     void each_under(const Footprint& under, int i, int j, double sink, const Visit& visit) const;
 
@@ -46,10 +47,18 @@ class HeightMap {
         return contains(i, j) ? double(std::max(tops_[index(i, j)], ground(i, j))) : 0;
     }
 
-    /// Adds the top of rock `number`, whose centre is over cell (i, j) at `height`.
-    void add(const Footprint& top, int i, int j, double height, std::uint32_t number);
+    /// Adds the top of rock `number`.
+    void add(const PlacedRock& rock, const RockSurface& surface, std::uint32_t number) {
+        add(rock, surface, number, 0, depth_);
+    }
+
+    /// Adds the tops of all rocks that have been placed.
+    void add(std::span<const PlacedRock> rocks, std::span<const RockSurface> surfaces);
 
   private:
+    /// Only in rows from `first_row` to before `end_row`.
+    void add(const PlacedRock& rock, const RockSurface& surface, std::uint32_t number,
+             int first_row, int end_row);
     bool contains(int i, int j) const { return i >= 0 && j >= 0 && i < width_ && j < depth_; }
     std::size_t index(int i, int j) const {
         return std::size_t(j) * std::size_t(width_) + std::size_t(i);
@@ -73,19 +82,14 @@ template <class Visit>
 void HeightMap::each_under(const Footprint& under, int i, int j, double sink,
                            const Visit& visit) const {
     const auto lower = static_cast<float>(sink);
-    const int first_x = std::max(0, -(i + under.first_x));
-    const int last_x = std::min(under.width, width_ - (i + under.first_x));
-    for (int row = 0; row < under.depth; ++row) {
-        const int z = j + under.first_z + row;
-        if (z < 0 || z >= depth_)
-            continue;
-        for (int column = first_x; column < last_x; ++column) {
+    for (int row = 0; row < under.depth; ++row)
+        for (int column = 0; column < under.width; ++column) {
             const int x = i + under.first_x + column;
+            const int z = j + under.first_z + row;
             const std::size_t k = std::size_t(row) * std::size_t(under.width) + std::size_t(column);
-            if (under.has(under.heights[k]))
-                visit(k, x, z, std::max(tops_[index(x, z)], ground(x, z) - lower));
+            if (contains(x, z) && under.has(under.heights[k]))
+                visit(k, std::max(tops_[index(x, z)], ground(x, z) - lower));
         }
-    }
 }
 
 } // namespace scree::rocks

@@ -4,6 +4,7 @@
 #include "core/math.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 namespace scree::rocks {
@@ -18,6 +19,7 @@ struct Gap {
     double height = 0;        // [m]
     WideVec3 arm{0, 0, 0};    // where it is itself, likewise [m]
     WideVec3 normal{0, 1, 0}; // of the contact, of length 1, out of what is below
+    std::uint32_t below = 0;  // the number of the rock that is; HeightMap::no_rock for the ground
 };
 
 /// height + slope_x x + slope_z z.

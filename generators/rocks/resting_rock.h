@@ -38,31 +38,25 @@ class RestingRock {
     bool settle(const MayBe& may_be);
 
     const Imath::M33d& world_from_rock() const { return pose_.turn; }
-    WideVec3 centre() const; // of mass [m]
+    const WideVec3& centre() const { return pose_.centre; } // of mass [m]
 
-    /// The rocks that hold it, as far as their tops are seen where they do.
+    /// The rocks that hold it.
     const std::vector<std::uint32_t>& held_by() const { return held_by_; }
 
-    /// Adds it to the map as rock `number`.
-    void add_to(HeightMap& map, std::uint32_t number);
-
     /// Relative to the centre of mass [m].
-    std::vector<Vec3> vertices() const;
+    const std::vector<Vec3>& vertices() const { return pose_.vertices; }
 
   private:
     struct Pose {
         Imath::M33d turn;
-        int column = 0; // of the map's cell that the centre is over
-        int row = 0;
-        Vec2 offset{0.0, 0.0};      // of the centre from the middle of that cell [m]
-        double height = 0;          // of the centre [m]
-        std::vector<Vec3> vertices; // relative to the centre's height and the middle of the cell
-        Footprint under;
+        WideVec3 centre{0, 0, 0};   // [m]
+        std::vector<Vec3> vertices; // relative to it [m]
     };
 
-    void pose(const Imath::M33d& turn, int column, int row, const Vec2& offset, Pose& out) const;
+    void pose(const Imath::M33d& turn, const WideVec3& centre, Pose& out) const;
     void lower(Pose& pose, std::vector<Gap>& gaps);
     bool slide_by_map(const MayBe& may_be);
+    Imath::M33d turn_by_map(double height);
     bool slide(const MayBe& may_be);
     bool stands_in_ground() const;
     bool is_held();
@@ -72,16 +66,19 @@ class RestingRock {
     RestSettings settings_;
     const RockSurface* surface_ = nullptr;
     double scale_ = 1;
-    double sink_ = 0;       // [m]
-    double last_least_ = 0; // exact gap over that of the map [m]
+    double reach_ = 0; // from the centre of mass to the farthest vertex [m]
+    double sink_ = 0;  // [m]
+    Footprint under_;  // as it was taken
+    int column_ = 0;   // of the map's cell that its centre is over before it settles
+    int row_ = 0;
     Pose pose_;
     Pose next_;
     std::vector<Gap> gaps_;
     std::vector<Gap> next_gaps_;
     std::vector<Gap> touching_;
     std::vector<std::uint32_t> held_by_;
+    Surroundings tops_;
     ExactContact contact_;
-    Footprint top_;
 };
 
 } // namespace scree::rocks

@@ -142,6 +142,25 @@ class Neighbours {
     std::vector<std::uint32_t> order_;
 };
 
+/// The correlation of the logarithm of the size with the height of the centre.
+double size_height_correlation(std::span<const PlacedRock> rocks) {
+    double n = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+    for (const PlacedRock& rock : rocks) {
+        if (!rock.placed)
+            continue;
+        const double size = std::log(rock.scale);
+        const double height = rock.centre.y;
+        n += 1;
+        x += size;
+        y += height;
+        xx += size * size;
+        yy += height * height;
+        xy += size * height;
+    }
+    const double spread = (n * xx - x * x) * (n * yy - y * y);
+    return spread > 0 ? (n * xy - x * y) / std::sqrt(spread) : 0;
+}
+
 } // namespace
 
 void add_measures(std::span<const PlacedRock> rocks, std::span<const RockSurface> surfaces,
@@ -184,6 +203,7 @@ void add_measures(std::span<const PlacedRock> rocks, std::span<const RockSurface
     facts.emplace_back("depth_99", percentile(depths, 0.99));
     facts.emplace_back("depth_max", percentile(depths, 1));
     facts.emplace_back("gap_99", percentile(gaps, 0.99));
+    facts.emplace_back("size_height_correlation", size_height_correlation(rocks));
 }
 
 } // namespace scree::rocks

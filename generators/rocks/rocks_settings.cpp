@@ -24,23 +24,16 @@ struct OwnParameter {
     const char* name;
     Method method;
 };
-constexpr OwnParameter own_parameters[] = {{"preset", Method::dropped},
-                                           {"cover", Method::dropped},
-                                           {"slope", Method::dropped},
-                                           {"ground", Method::dropped},
-                                           {"dip", Method::dropped},
-                                           {"flow", Method::dropped},
-                                           {"sorting", Method::dropped},
-                                           {"density", Method::dropped},
-                                           {"ground_material", Method::dropped},
-                                           {"prototypes", Method::dropped},
-                                           {"unique", Method::dropped},
-                                           {"measure", Method::dropped},
-                                           {"smallest", Method::dropped},
-                                           {"largest", Method::dropped},
-                                           {"exponent", Method::dropped},
-                                           {"joint", Method::mosaic},
-                                           {"exclusion", Method::paper}};
+constexpr OwnParameter own_parameters[] = {
+    {"preset", Method::dropped},     {"cover", Method::dropped},
+    {"slope", Method::dropped},      {"ground", Method::dropped},
+    {"dip", Method::dropped},        {"flow", Method::dropped},
+    {"sorting", Method::dropped},    {"density", Method::dropped},
+    {"size", Method::dropped},       {"ground_material", Method::dropped},
+    {"prototypes", Method::dropped}, {"unique", Method::dropped},
+    {"measure", Method::dropped},    {"smallest", Method::dropped},
+    {"largest", Method::dropped},    {"exponent", Method::dropped},
+    {"joint", Method::mosaic},       {"exclusion", Method::paper}};
 
 const char* name_of(Method method) {
     return method == Method::paper ? "paper" : method == Method::mosaic ? "mosaic" : "dropped";
@@ -148,6 +141,9 @@ void read_ground(const Params& params, const Preset& preset, RocksSettings& sett
     settings.flow = number_or(params, "flow", 0);
     settings.sorting = number_or(params, "sorting", preset.sorting);
     settings.density = field_of(params, "density");
+    if (settings.density && settings.density->over(bounds(*settings.domain)).high <= 0)
+        params.warn("density", "is 0 in all of the domain: there will be no rocks");
+    settings.size = field_of(params, "size");
 }
 
 void read_materials(const Params& params, RocksSettings& settings) {

@@ -50,6 +50,7 @@ struct RocksSettings {
     double flow = 0;                      // [rad]
     double sorting = 0;                   // by how much ln D falls for a metre of height [1/m]
     std::shared_ptr<const Field> density; // may be null
+    std::shared_ptr<const Field> size;    // by how much ln D is greater by place; may be null
 
     int level = 0; // of all meshes; 0: by size
     int prototypes = 64;

@@ -128,6 +128,13 @@ std::vector<ParamSpec> place_specs() {
          .doc = "How likely rocks are, by place; only proportions count.",
          .optional = true,
          .min = 0.0},
+        {.name = "size",
+         .type = ParamType::field,
+         .doc = "Where larger rocks lie: their logarithm is greater by so much as this is. Sizes "
+                "stay as they are drawn.",
+         .optional = true,
+         .min = -100.0,
+         .max = 100.0},
     };
 }
 

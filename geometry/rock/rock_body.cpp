@@ -10,13 +10,23 @@ namespace scree {
 namespace {
 
 constexpr double sharpest = 40;  // the exponent without wear: edges as of a fresh fragment
-constexpr double roundest = 3.2; // and at full wear: nearly an ellipsoid
+constexpr double roundest = 3.2; // and at full wear
+// From this wear on faces round off too, until at full wear the body is so much of an ellipsoid.
+constexpr double rounded_from = 0.3;
+constexpr double most_rounded = 0.7;
+constexpr double ellipsoid = 0.8; // its radius before the axes are scaled, where a body's mean is
 constexpr double least_radius = 0.2;
 constexpr double neglected = 6; // planes whose share of the gauge's sum is below e^-6 are left out
 
 double standard_normal(Random& random) { // Box & Muller 1958
     const double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
     return radius * std::cos(2 * pi * random.uniform());
+}
+
+/// How far the second phase of abrasion has come, in which the whole surface wears.
+double rounded_by(double wear) {
+    const double t = std::clamp((wear - rounded_from) / (1 - rounded_from), 0.0, 1.0);
+    return most_rounded * t * t * (3 - 2 * t);
 }
 
 } // namespace
@@ -37,7 +47,8 @@ WideVec3 normal_vector(Random& random) {
 
 RockBody::RockBody(const RockSettings& settings, Random& random, std::vector<RockPlane> cut)
     : wear_(settings.wear), exponent_(roundest * std::pow(sharpest / roundest, 1 - settings.wear)),
-      noise_(random.bits()), planes_(std::move(cut)) {
+      rounded_(cut.empty() ? rounded_by(settings.wear) : 0), noise_(random.bits()),
+      planes_(std::move(cut)) {
     add_faces(settings, random);
     add_chips(settings, random);
     add_scars(settings, random);
@@ -144,7 +155,7 @@ double RockBody::radius(const WideVec3& direction) const {
                               .normalized();
     const double local =
         exponent_ * std::exp(0.7 * (1 - 0.7 * wear_) * gradient_noise(1.9 * direction, noise_ + 3));
-    return std::max(least_radius, hollowed(bent, 1 / gauge(bent, local)));
+    return std::max(least_radius, mix(hollowed(bent, 1 / gauge(bent, local)), ellipsoid, rounded_));
 }
 
 } // namespace scree

@@ -21,7 +21,8 @@ struct RockPlane {
 /// its axes are of length 1. Half-spaces of three joint sets, further faces and chips are joined by
 /// a gauge function: with p the exponent, 1 / radius = (sum of max(0, n.d / h)^p)^(1/p). A large p
 /// leaves their edges sharp; a small one is the closed form of wear, which takes edges before it
-/// shortens axes (Bloore 1977). Scars are hollows by smooth minimum with balls.
+/// shortens axes, the first phase of abrasion; in the second all of the surface wears towards an
+/// ellipsoid (Bloore 1977). Scars are hollows by smooth minimum with balls.
 class RockBody {
   public:
     /// `cut`: half-spaces that bound the body beside its own, such as those of a cell of ground.
@@ -50,6 +51,7 @@ class RockBody {
 
     double wear_ = 0;
     double exponent_ = 1;
+    double rounded_ = 0; // share of an ellipsoid
     std::uint32_t noise_ = 0;
     std::array<WideVec3, 3> joints_;
     std::vector<RockPlane> planes_;

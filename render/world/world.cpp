@@ -96,6 +96,7 @@ void World::State::fill_surface(const RawHit& found, Hit& hit) const {
     const float w = 1 - u - v;
     hit.object_position = pa * w + pb * u + pc * v;
     hit.position = record.point(hit.object_position);
+    hit.level = hit.position.y + float(origin.y);
     const Vec3 facet = record.normal((pb - pa).cross(pc - pa));
     hit.normal = facet / std::sqrt(facet.dot(facet));
     hit.offset = rounding * (record.scale * std::max({largest(pa), largest(pb), largest(pc)}) +

@@ -31,6 +31,7 @@ struct Hit {
     Vec3 shading_normal; // interpolated, unit, on the same side as `normal`
     Vec3 object_position;
     float distance = 0;
+    float level = 0;  // y of the position in the scene [m]
     float offset = 0; // how far the position may be off its surface [m]
     float random = 0; // of the instance
     std::uint32_t instance = none;

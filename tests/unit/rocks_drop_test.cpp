@@ -108,9 +108,7 @@ TEST(ExactContact, MovesARockDownToWhereItTouches) {
         rocks[0].centre = {middle.x, 0.8, middle.y};
         std::vector<Vec3> below;
         pose_vertices(surfaces[0], rocks[0].world_from_rock, 0.6, below);
-        Footprint top;
-        rasterise(below, surfaces[0].triangles, map.cell(), Side::top, top);
-        map.add(top, 48, 48, 0.8, 0);
+        map.add(rocks[0], surfaces[0], 0);
 
         const std::vector<std::shared_ptr<const TopGrid>> tops(1);
         const Neighbourhood around{map, ground, surfaces, rocks, tops};
@@ -119,22 +117,20 @@ TEST(ExactContact, MovesARockDownToWhereItTouches) {
         Footprint under;
         rasterise(above, surfaces[1].triangles, map.cell(), Side::under, under);
         const double height = map.rest(under, 52, 46, 0);
+        const Vec2 centre = map.place(52, 46);
+        Surroundings surroundings;
+        surroundings.gather(around, {centre.x, height, centre.y}, 0.6, 0);
         ExactContact contact;
         double least = 1;
         for (const Gap& gap : contact.gaps({.vertices = above,
                               .triangles = surfaces[1].triangles,
-                              .under = under,
-                              .column = 52,
-                              .row = 46,
-                              .height = height,
-                              .sink = 0},
-                                           around, 0.5, 0.5))
+                              .centre = {centre.x, height, centre.y}},
+                                           surroundings, ground, 0.5))
             least = std::min(least, gap.height);
         ASSERT_LT(least, 0.5);
         EXPECT_GE(least, -1e-5);
 
         // The least vertical distance over a fine grid of lines.
-        const Vec2 centre = map.place(52, 46);
         const auto at = [](const std::vector<Vec3>& p, const std::vector<Mesh::Triangle>& triangles,
                            const Vec2& place, bool upper) {
             double best = upper ? -1e9 : 1e9;
