@@ -61,12 +61,11 @@ std::size_t meeting_pairs(const std::vector<std::vector<std::array<Point, 3>>>& 
 
 } // namespace
 
-TEST(RocksExact, AreSoundAtExtremeParameters) {
-    expect_sound(0, 2000, 4);
-    expect_sound(2000, 2300, 8);
-    expect_sound(2300, 2340, 16);
-    expect_sound(2340, 2345, 32);
-}
+// Ten thousand rocks in all, extreme in every parameter.
+TEST(RocksExact, AreSoundOf320Triangles) { expect_sound(0, 8500, 4); }
+TEST(RocksExact, AreSoundOf1280Triangles) { expect_sound(8500, 9800, 8); }
+TEST(RocksExact, AreSoundOf5120Triangles) { expect_sound(9800, 9980, 16); }
+TEST(RocksExact, AreSoundOf20480Triangles) { expect_sound(9980, 10000, 32); }
 
 TEST(RocksExact, NoTwoRocksOfAMosaicMeet) {
     const Plugin<Generator> plugin = rocks_plugin();
