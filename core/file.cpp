@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/text.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -36,15 +37,29 @@ void sync_path(const fs::path& path, int flags) {
         throw Error::resource("cannot write " + path.string() + ": " + reason(failed));
 }
 
+// "did you mean bunny.obj?" for a missing file with a similarly named neighbour.
+std::string near_file(const std::string& path) {
+    std::vector<std::string> names;
+    std::error_code code;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(path), code))
+        names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end()); // folders are listed in unspecified order
+    return did_you_mean(file_name(path), names);
+}
+
 } // namespace
 
-std::string read_file(const std::string& path, std::uint64_t limit) {
+void check_is_file(const std::string& path) {
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
     if (!fs::exists(status))
-        throw Error(path + ": no such file");
+        throw Error(Diagnostic{{}, {}, path + ": no such file", near_file(path)});
     if (fs::is_directory(status))
         throw Error(path + ": is a folder, not a file");
+}
+
+std::string read_file(const std::string& path, std::uint64_t limit) {
+    check_is_file(path);
     std::ifstream in(path, std::ios::binary);
     if (!in)
         throw Error(path + ": cannot be read: " + reason(errno));

@@ -9,6 +9,10 @@
 
 namespace scree {
 
+/// Throws Error (input) when the file is missing, with a neighbour of a similar name as hint, or is
+/// a folder.
+void check_is_file(const std::string& path);
+
 /// The whole file as bytes. Throws Error (input) when it is missing, a folder, unreadable, or
 /// larger than `limit` bytes.
 std::string read_file(const std::string& path, std::uint64_t limit = std::uint64_t{4} << 30);

@@ -2,6 +2,7 @@
 #include "core/image.h"
 
 #include "core/error.h"
+#include "core/file.h"
 #include "core/image_reading.h"
 
 #include <fmt/format.h>
@@ -90,6 +91,7 @@ Image read_any_image(const std::string& path, Meaning meaning, const ImageOption
 // By content, since an extension may be wrong and OpenImageIO's other readers are not safe against
 // malicious files.
 ImageFormat image_format(const std::string& path) {
+    check_is_file(path);
     std::array<unsigned char, 8> magic{};
     std::ifstream in(path, std::ios::binary);
     if (!in)

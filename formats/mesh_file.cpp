@@ -7,24 +7,29 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
+#include <array>
 
 namespace scree {
 
 namespace {
 
-// "did you mean bunny.obj?" for a missing file with a similarly named neighbour.
-std::string near_file(const std::string& path) {
+/// A unit of length that files are in.
+struct FileUnit {
+    std::string name;
+    double metres = 1;
+};
+const std::array<FileUnit, 5> file_units{
+    {{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}};
+
+std::vector<std::string> unit_names() {
     std::vector<std::string> names;
-    std::error_code code;
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    for (const auto& entry :
-         std::filesystem::directory_iterator(folder.empty() ? "." : folder, code))
-        names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end()); // folders are listed in unspecified order
-    return did_you_mean(file_name(path), names);
+    for (const FileUnit& unit : file_units)
+        names.push_back(unit.name);
+    return names;
 }
+
+// Without a unit, a longer mesh is more likely to be in millimetres than in metres.
+constexpr double suspicious_length = 10; // [m]
 
 FileMesh read_located(const Params& params) {
     const std::string& path = params.text("path");
@@ -34,9 +39,28 @@ FileMesh read_located(const Params& params) {
             params.warn("path", path + ": " + warning);
         return mesh;
     } catch (const Error& problem) {
-        const bool missing = !std::filesystem::exists(path);
         throw params.error("path", problem.diagnostics().front().message,
-                           missing ? near_file(path) : std::string());
+                           problem.diagnostics().front().hint);
+    }
+}
+
+// Converts to metres. A glTF is in metres by its standard (Khronos, glTF 2.0, section 3.4).
+void apply_unit(FileMesh& mesh, const Params& params) {
+    const std::string& path = params.text("path");
+    const std::string ending = extension(path);
+    const bool is_gltf = ending == "gltf" || ending == "glb";
+    if (params.has("unit")) {
+        if (is_gltf)
+            throw params.error("unit", "a glTF file is in metres by its standard",
+                               "leave it away; size and object.scale change a mesh too");
+        for (const FileUnit& unit : file_units)
+            if (unit.name == params.text("unit"))
+                scale(mesh, unit.metres);
+    } else if (const double length = longest_side(mesh);
+               !is_gltf && !params.has("size") && length > suspicious_length) {
+        params.warn("path",
+                    fmt::format("{}: is {:.4g} m long, its numbers taken as metres", path, length),
+                    "if the file is in millimetres, say unit = \"mm\"; unit = \"m\" if in metres");
     }
 }
 
@@ -60,6 +84,7 @@ void place(FileMesh& mesh, const Params& params) {
 
 Mesh make(const Params& params) {
     FileMesh placed = read_located(params);
+    apply_unit(placed, params);
     place(placed, params);
     Mesh mesh = to_mesh(placed);
     mesh.name = file_name(params.text("path"));
@@ -87,6 +112,12 @@ Registry<Mesh(const Params& params)> mesh_file_table() {
             {.name = "path",
              .type = ParamType::path,
              .doc = "The file: .obj, .ply, .stl, .gltf, .glb or .3ds."},
+            {.name = "unit",
+             .type = ParamType::choice,
+             .doc = "The unit of the file's numbers; metres when not given. A glTF is always in "
+                    "metres.",
+             .optional = true,
+             .choices = unit_names()},
             {.name = "size",
              .type = ParamType::number,
              .doc = "Longest side of the mesh's bounding box after scaling; the mesh is also moved "

@@ -22,6 +22,13 @@ double longest_side(const Imath::Box3d& box) {
 
 } // namespace
 
+double longest_side(const FileMesh& mesh) { return longest_side(bounds_of(mesh)); }
+
+void scale(FileMesh& mesh, double factor) {
+    for (V3d& p : mesh.positions)
+        p *= factor;
+}
+
 void turn_z_up(FileMesh& mesh) {
     for (V3d& p : mesh.positions)
         p = V3d(p.x, p.z, -p.y);
@@ -40,7 +47,7 @@ void centre(FileMesh& mesh, std::optional<double> size) {
 
 Rounding rounding(const FileMesh& mesh) {
     Rounding out;
-    out.longest = longest_side(bounds_of(mesh));
+    out.longest = longest_side(mesh);
     for (const V3d& p : mesh.positions) {
         for (const double exact : {p.x, p.y, p.z}) // as vectors GCC 12 gets this wrong at -O2
             out.moved = std::max(out.moved, std::abs(exact - double(static_cast<float>(exact))));

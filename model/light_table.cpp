@@ -5,9 +5,32 @@
 #include "core/located.h"
 #include "model/table_tools.h"
 
+#include <fmt/format.h>
+
 namespace scree {
 
 namespace {
+
+// A picture of all directions; one of another form would be stretched over them.
+std::shared_ptr<const Image> sky_image(const Params& params) {
+    const std::string& path = params.text("image");
+    const ImageOptions options = image_options(params, "image");
+    auto image = located(params, "image",
+                         [&] { return std::make_shared<Image>(read_image(path, options)); });
+    const std::string size =
+        fmt::format("{}: is {} x {} pixels", path, image->width, image->height);
+    if (image->height > image->width)
+        throw params.error("image", size + "; a latitude-longitude image is twice as wide as high");
+    constexpr double cut_off = 0.01; // a row or a column does not show
+    if (std::abs(image->width - 2.0 * image->height) > cut_off * image->width)
+        params.warn("image",
+                    size +
+                        " and is stretched: a latitude-longitude image is twice as wide as high");
+    for (const float value : image->pixels)
+        if (value >= 1e30F)
+            throw params.error("image", path + ": holds a radiance of 1e30 or more");
+    return image;
+}
 
 Plugin<MakeLight> sky_plugin() {
     ParamSpec horizon =
@@ -29,8 +52,8 @@ Plugin<MakeLight> sky_plugin() {
          ground,
          {.name = "image",
           .type = ParamType::path,
-          .doc = "A latitude-longitude image (HDR, EXR, PNG or JPEG), multiplied by color; its top "
-                 "row is the zenith, its centre lies in direction -z.",
+          .doc = "A latitude-longitude image (HDR, EXR, PNG or JPEG), multiplied by color, twice "
+                 "as wide as high; its top row is the zenith, its centre lies in direction -z.",
           .optional = true},
          layer_spec(),
          {.name = "rotation",
@@ -59,13 +82,7 @@ Plugin<MakeLight> sky_plugin() {
                 for (const char* name : {"zenith", "horizon", "ground"})
                     if (params.has(name))
                         throw params.error(name, "cannot be given together with image");
-                sky.image = located(params, "image", [&] {
-                    return std::make_shared<Image>(
-                        read_image(params.text("image"), image_options(params, "image")));
-                });
-                for (const float value : sky.image->pixels)
-                    if (value >= 1e30F)
-                        throw params.error("image", "holds a radiance of 1e30 or more");
+                sky.image = sky_image(params);
             }
             return sky;
         }};

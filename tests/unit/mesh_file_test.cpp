@@ -287,6 +287,20 @@ TEST_F(MeshFile, Plugin) {
     EXPECT_NEAR(volume(turned), 1.0 / 6, 1e-7);
 }
 
+TEST_F(MeshFile, UnitsAreConvertedToMetres) {
+    const std::string text = "v 0 0 0\nv 5 0 0\nv 0 3 0\nf 1 2 3\n";
+    const std::string obj = write("a.obj", text);
+    for (const auto& [unit, metres] :
+         {std::pair{"m", 1.0}, std::pair{"cm", 0.01}, std::pair{"mm", 0.001},
+          std::pair{"in", 0.0254}, std::pair{"ft", 0.3048}})
+        EXPECT_NEAR(bounds(make(obj, {{"unit", std::string(unit)}})).size().x, 5 * metres,
+                    1e-6 * metres)
+            << unit;
+    EXPECT_EQ(bounds(make(obj)).size().x, 5);
+    const Vec3 sized = bounds(make(obj, {{"unit", std::string("mm")}, {"size", 0.1}})).size();
+    EXPECT_NEAR(sized.x, 0.1F, 1e-7F);
+}
+
 TEST_F(MeshFile, PluginErrorsAreLocated) {
     const std::string open = write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     EXPECT_EQ(without_folder([&] {

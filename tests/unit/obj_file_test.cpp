@@ -141,6 +141,16 @@ TEST(ObjFile, RefusedWithTheLine) {
               "a.obj: it is UTF-16 text; expected ASCII or UTF-8");
 }
 
+TEST(ObjFile, PartsAreCountedInSixteenBits) {
+    std::string text = v;
+    for (std::size_t i = 0; i < Mesh::most_parts; ++i)
+        text += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";
+    EXPECT_EQ(read_file_mesh_bytes("a.obj", text).parts.back(), Mesh::most_parts - 1);
+    EXPECT_NE(file_problem("a.obj", text + "usemtl more\nf 1 2 3\n")
+                  .find("it uses more than 65536 materials"),
+              std::string::npos);
+}
+
 TEST(ObjFile, ConcaveFacesHaveTheirArea) {
     // The plan of a room with a niche: 8 x 6 less 5 x 2 and 1 x 1.
     const std::string plan = "v 0 0 0\nv 8 0 0\nv 8 0 2\nv 3 0 2\nv 3 0 4\nv 8 0 4\nv 8 0 6\n"

@@ -1,0 +1,4 @@
+return scene {
+  lights = { light.sky { image = "parts/square.exr" } },
+  objects = { object { shape = mesh.box {} } },
+}
