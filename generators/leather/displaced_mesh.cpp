@@ -2,6 +2,7 @@
 #include "generators/leather/displaced_surface.h"
 
 #include "core/parallel.h"
+#include "generators/leather/tile_repeats.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -193,33 +194,11 @@ void Refinement::displace(const HeightField& field, const Vec2& tiles) {
         mesh_.normals[i] = normals[place_[i]];
 }
 
-/// How often the tile repeats over the unit square of UVs: the mean length of a unit of u and of v,
-/// weighted by area, in tiles.
-Vec2 tiles_of(const HeightField& field, const Mesh& mesh) {
-    double length_u = 0, length_v = 0, sum = 0;
-    for (const Mesh::Triangle& t : mesh.triangles) {
-        const Vec3 e1 = mesh.positions[t[1]] - mesh.positions[t[0]];
-        const Vec3 e2 = mesh.positions[t[2]] - mesh.positions[t[0]];
-        const Vec2f d1 = mesh.uvs[t[1]] - mesh.uvs[t[0]], d2 = mesh.uvs[t[2]] - mesh.uvs[t[0]];
-        const double twice_area = e1.cross(e2).length();
-        const double turn = std::abs(double(d1.x) * d2.y - double(d1.y) * d2.x);
-        if (!(turn > 1e-12 && twice_area > 0))
-            continue; // a pole, where u means nothing
-        length_u += twice_area * double((e1 * d2.y - e2 * d1.y).length()) / turn;
-        length_v += twice_area * double((e2 * d1.x - e1 * d2.x).length()) / turn;
-        sum += twice_area;
-    }
-    if (!(sum > 0))
-        return {1.0, 1.0};
-    return {std::max(1.0, std::round(length_u / sum / field.size.x)),
-            std::max(1.0, std::round(length_v / sum / field.size.y))};
-}
-
 } // namespace
 
 Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t triangles) {
     Refinement refined(mesh);
-    const Vec2 tiles = tiles_of(field, mesh);
+    const Vec2 tiles = tile_repeats(mesh, field.size);
     // Halved edges end between half the limit and the limit: triangles of about 0.6 of it.
     const auto limit =
         static_cast<float>(1.6 * std::sqrt(4 / std::sqrt(3.0) * area(mesh) / double(triangles)));

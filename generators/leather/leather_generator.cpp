@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "generators/leather/displaced_surface.h"
 #include "generators/leather/relief.h"
+#include "generators/leather/tile_repeats.h"
 
 #include <fmt/format.h>
 
@@ -101,6 +102,31 @@ void check(const CoverSettings& cover) {
                                                       cover.triangles, cover.shape->name,
                                                       cover.shape->triangles.size()));
     }
+}
+
+// With more than this one sees that cells are drawn out or pressed together.
+constexpr double visible_stretch = 1.5;
+
+/// Warns where the shape's UVs do not let the tile keep its size and shape.
+void warn_of_stretch(const Params& params, const CoverSettings& cover, double tile) {
+    Vec3 centre;
+    double radius = 0;
+    if (cover.shape == nullptr || covers_sphere(cover, centre, radius))
+        return;
+    const double stretch = tile_stretch(*cover.shape, {tile, tile});
+    const std::string& name = cover.shape->name;
+    if (std::isinf(stretch))
+        params.warn("shape",
+                    "parts of " + name + " have UVs without area, where the leather is smeared",
+                    "unwrap it in a modelling program");
+    else if (stretch > visible_stretch)
+        params.warn("shape",
+                    fmt::format("the UVs of {} draw the leather out, or press it together, by a "
+                                "factor of up to {:.2f}",
+                                name, stretch),
+                    name == "box"
+                        ? "mesh.box { uvs = \"even\" } has one scale on all sides"
+                        : "its UVs should be to one scale, and it no smaller than a tile");
 }
 
 Mesh covered_shape(const CoverSettings& cover, const HeightField& field) {
@@ -239,7 +265,9 @@ Plugin<Generator> leather_plugin() {
         leather_specs(), [](const Params& params) -> Bake {
             const CoverSettings cover = cover_from(params);
             check(cover);
-            return [request = request_from(params), cover](const Context& context) {
+            const ReliefRequest request = request_from(params);
+            warn_of_stretch(params, cover, request.size);
+            return [request, cover](const Context& context) {
                 return bake_leather(request, cover, context);
             };
         }};

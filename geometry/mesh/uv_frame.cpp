@@ -1,35 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/mesh/uv_frame.h"
 
+#include "geometry/mesh/uv_jacobian.h"
+
 #include <algorithm>
 #include <cassert>
 
 namespace scree {
 
 namespace {
-
-using Vec3d = Imath::V3d;
-
-/// A triangle's edges in space, and what one unit of u and of v is there.
-struct UvJacobian {
-    Vec3d cross{0.0, 0.0, 0.0}; // of the edges: twice the area along the face's normal
-    Vec3d along_u{0.0, 0.0, 0.0};
-    Vec3d along_v{0.0, 0.0, 0.0};
-    double turn = 0; // of the triangle in UV: > 0 upright, < 0 mirrored, 0 without area
-
-    UvJacobian(const Mesh& mesh, const Mesh::Triangle& t) {
-        const Vec3d a(mesh.positions[t[0]]);
-        const Vec3d p = Vec3d(mesh.positions[t[1]]) - a, q = Vec3d(mesh.positions[t[2]]) - a;
-        const Vec2 origin(mesh.uvs[t[0]]);
-        const Vec2 e = Vec2(mesh.uvs[t[1]]) - origin, f = Vec2(mesh.uvs[t[2]]) - origin;
-        cross = p.cross(q);
-        turn = scree::cross(e, f);
-        if (turn == 0)
-            return;
-        along_u = (p * f.y - q * e.y) / turn;
-        along_v = (q * e.x - p * f.x) / turn;
-    }
-};
 
 // v without its part along the unit vector n.
 Vec3 flattened(const Vec3& v, const Vec3& n) { return v - n * n.dot(v); }

@@ -33,13 +33,28 @@ Mesh plane(const Params& params) {
     return mesh;
 }
 
+// Shrinks the UVs of the sides of a rounded box, which fill the square, to one scale.
+void lay_evenly(Mesh& mesh, const Imath::V3d& sides) {
+    const double longest = std::max({sides.x, sides.y, sides.z});
+    const std::size_t per_face = mesh.uvs.size() / 6;
+    for (std::size_t i = 0; i < mesh.uvs.size(); ++i) {
+        const auto normal_axis = static_cast<int>(i / per_face / 2);
+        Vec2f& uv = mesh.uvs[i];
+        uv.x = static_cast<float>(uv.x * sides[(normal_axis + 1) % 3] / longest);
+        uv.y = static_cast<float>(uv.y * sides[(normal_axis + 2) % 3] / longest);
+    }
+}
+
 Mesh box(const Params& params) {
     const double width = params.number("width");
     const double height = number_or(params, "height", width);
     const double depth = number_or(params, "depth", width);
     const double shortest = std::min({width, height, depth});
-    return rounded_box(Vec3(Imath::V3d(width, height, depth)),
-                       params.number("rounding") * shortest / 2);
+    Mesh mesh = rounded_box(Vec3(Imath::V3d(width, height, depth)),
+                            params.number("rounding") * shortest / 2);
+    if (params.text("uvs") == "even")
+        lay_evenly(mesh, {width, height, depth});
+    return mesh;
 }
 
 // A wooden toy cube with rounded edges and a shallow recessed panel on every face.
@@ -75,7 +90,14 @@ Plugin<MakeMesh> box_component() {
          optional_metres("height", "Side along y; the same as width by default."),
          optional_metres("depth", "Side along z; the same as width by default."),
          ratio("rounding", "Radius of the edges as a share of half the shortest side; 0: sharp.",
-               0.06, 0, 0.95)},
+               0.06, 0, 0.95),
+         {.name = "uvs",
+          .type = ParamType::choice,
+          .doc =
+              "sides: a texture fills each side, stretched to its form; even: it has one scale on "
+              "all sides and fills a square as wide as the longest.",
+          .fallback = std::string("sides"),
+          .choices = {"sides", "even"}}},
         box);
 }
 

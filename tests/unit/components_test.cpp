@@ -228,6 +228,25 @@ TEST(Components, EveryLetterAndDigit) {
 }
 
 // Seen from above, the tail of the J is on the left, the foot of the L on the right.
+TEST(Components, EvenTexturesOfABoxHaveOneScale) {
+    const std::map<std::string, Value> sides{{"width", 0.2}, {"height", 0.1}, {"depth", 0.05}};
+    std::map<std::string, Value> even = sides;
+    even["uvs"] = std::string("even");
+    for (const auto& [values, is_even] : {std::pair{sides, false}, std::pair{even, true}}) {
+        const Mesh mesh = component_mesh("box", values);
+        double largest = 0;
+        for (std::size_t i = 0; i < mesh.uvs.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (i / (mesh.uvs.size() / 6) == j / (mesh.uvs.size() / 6)) {
+                    const Vec3 d = mesh.positions[i] - mesh.positions[j];
+                    const double flat = 0.2 * double((mesh.uvs[i] - mesh.uvs[j]).length());
+                    // Edges are rounded: they go up to 3 mm down from their side.
+                    largest = std::max(largest, std::abs(double(d.length()) - flat));
+                }
+        EXPECT_EQ(largest < 0.002, is_even) << largest;
+    }
+}
+
 TEST(Components, LettersAreReadableFromAbove) {
     const auto low_part_middle = [](const std::string& letter) {
         const Mesh mesh = component_mesh("letter", {{"letter", letter}});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/file.h"
 #include "generators/leather/displaced_surface.h"
+#include "generators/leather/tile_repeats.h"
 #include "shapes/table.h"
 #include "tests/support/errors.h"
 #include "tests/support/leather.h"
@@ -121,6 +122,23 @@ TEST(Leather, AClosedMeshStaysClosedAndTheTileKeepsItsSize) {
         EXPECT_TRUE(after.finite);
         EXPECT_NEAR(volume(displaced) / volume(mesh), 1, 0.15) << plugin.name;
     }
+}
+
+TEST(Leather, TheStretchOfATileIsThatOfTheUvs) {
+    const Registry<MakeMesh> table = component_table();
+    const auto stretch = [&](const std::string& name, const std::map<std::string, Value>& values) {
+        return tile_stretch(tests::make(table, name, values), {0.05, 0.05});
+    };
+    const std::map<std::string, Value> plate{
+        {"width", 0.2}, {"height", 0.1}, {"depth", 0.05}, {"rounding", 0.0}};
+    // Lengths of u: x, z, y, and of v: y, x, z of the sides across z, y and x, by their areas.
+    EXPECT_GT(stretch("box", plate), 2);
+    std::map<std::string, Value> even = plate;
+    even["uvs"] = std::string("even");
+    EXPECT_NEAR(stretch("box", even), 1, 1e-5) << "0.2 m are four tiles";
+    EXPECT_NEAR(stretch("plane", {{"size", 0.1}, {"depth", 0.2}}), 1, 1e-5);
+    EXPECT_NEAR(stretch("plane", {{"size", 0.02}}), 2.5, 1e-5) << "a whole tile on 2 cm";
+    EXPECT_NEAR(stretch("plane", {{"size", 0.07}}), 1.4, 1e-5) << "one tile on 7 cm";
 }
 
 TEST(Leather, AMeshWithoutUvsIsNamed) {
