@@ -38,7 +38,7 @@ class LayoutImage {
     void draw(const Aggregate& aggregate, const ElementColor& color) {
         if (aggregate.domain && !aggregate.texture)
             canvas_.fill(pixels(*aggregate.domain), linear_color(ground));
-        if (aggregate.domain && (aggregate.torus || aggregate.texture)) {
+        if (is_tile(aggregate)) {
             const Box2 domain = bounds(*aggregate.domain);
             canvas_.clip({pixel(domain.min), pixel(domain.max)});
         }
@@ -51,7 +51,7 @@ class LayoutImage {
                 if (is_seen(aggregate, instance, shift))
                     draw(aggregate, instance, shift, color);
         canvas_.clip_nothing();
-        if (aggregate.domain && !aggregate.texture)
+        if (aggregate.domain && !is_tile(aggregate))
             for (const Ring& ring : pixels(*aggregate.domain))
                 canvas_.stroke(ring, 1.5, linear_color(edge), true);
     }

@@ -8,6 +8,10 @@
 
 namespace scree {
 
+bool is_tile(const Aggregate& aggregate) {
+    return aggregate.domain && (aggregate.torus || aggregate.texture);
+}
+
 bool are_textures(std::span<const Aggregate> aggregates) {
     return std::all_of(aggregates.begin(), aggregates.end(),
                        [](const Aggregate& a) { return a.texture && a.domain; });
@@ -35,7 +39,7 @@ Box2 picture_box(std::span<const Aggregate> aggregates) {
     for (const Aggregate& aggregate : aggregates) {
         if (aggregate.domain)
             box.extendBy(bounds(*aggregate.domain));
-        if (aggregate.domain && (aggregate.torus || aggregate.texture))
+        if (is_tile(aggregate))
             continue; // nothing is drawn outside the domain
         for (const Instance& instance : aggregate.instances) {
             const Prototype& prototype = aggregate.prototypes[instance.prototype];
@@ -52,7 +56,8 @@ Box2 picture_box(std::span<const Aggregate> aggregates) {
     if (box.isEmpty())
         throw Error("there is nothing to see from above: no generator has a domain, regions or "
                     "pictures");
-    const double border = are_textures(aggregates) ? 0 : std::max(box.size().x, box.size().y) / 50;
+    const bool tiles = std::all_of(aggregates.begin(), aggregates.end(), is_tile);
+    const double border = tiles ? 0 : std::max(box.size().x, box.size().y) / 50;
     return {box.min - Vec2(border, border), box.max + Vec2(border, border)};
 }
 
@@ -71,7 +76,7 @@ bool is_seen(const Aggregate& aggregate, const Instance& instance, const Vec2& s
     const Box2 box = prototype_box(aggregate.prototypes[instance.prototype]);
     if (box.isEmpty())
         return false;
-    if (!aggregate.domain || !(aggregate.torus || aggregate.texture))
+    if (!is_tile(aggregate))
         return true;
     const WideMatrix& m = instance.world_from_object;
     const double scale = // the Frobenius norm, an upper bound of the scale

@@ -16,11 +16,15 @@ namespace scree {
 using ElementColor = std::function<Color(const Aggregate& aggregate, const Instance& instance)>;
 
 /// The part of the ground that a picture of the aggregates shows [m]: the bounding box of domains,
-/// regions and pictures with a border of 1/50 of its longer side; for textures exactly the bounding
+/// regions and pictures with a border of 1/50 of its longer side; for tiles exactly the bounding
 /// box of the domains. Throws Error when no aggregate has a domain, a region or a picture.
 Box2 picture_box(std::span<const Aggregate> aggregates);
 
-/// Whether all of them are textures, which are drawn without paper and outlines.
+/// Whether the aggregate is drawn as exactly its domain's bounding box, without an outline: a
+/// texture, or a torus, whose picture repeats without a seam.
+bool is_tile(const Aggregate& aggregate);
+
+/// Whether all of them are textures, which are drawn without paper and ground.
 bool are_textures(std::span<const Aggregate> aggregates);
 
 /// What is drawn of a prototype with a region: its shape from above, without margin.
@@ -41,7 +45,8 @@ std::vector<Vec2> picture_shifts(const Aggregate& aggregate);
 bool is_seen(const Aggregate& aggregate, const Instance& instance, const Vec2& shift);
 
 /// SVG 1.1, in millimetres: for every prototype a <path> (with holes) or a <symbol> (with its
-/// picture) in <defs>, for every instance a <use> with its matrix, and the outlines of the domains.
+/// picture) in <defs>, for every instance a <use> with its matrix, and the outlines of the domains
+/// that are no tiles.
 /// Exclusive regions that are not the shapes themselves are a group of thin lines.
 /// On a torus the periodic copies are included, clipped to the domain.
 std::string layout_svg(std::span<const Aggregate> aggregates, const ElementColor& color);

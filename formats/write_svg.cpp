@@ -133,7 +133,7 @@ void write_aggregate(std::string& out, const Aggregate& aggregate, std::size_t n
                    escaped(title(aggregate)));
     for (std::size_t p = 0; p < aggregate.prototypes.size(); ++p)
         write_prototype(out, aggregate.prototypes[p], fmt::format("a{}p{}", number, p));
-    const bool clipped = aggregate.domain && (aggregate.torus || aggregate.texture);
+    const bool clipped = is_tile(aggregate);
     if (clipped) {
         const Box2 box = bounds(*aggregate.domain);
         fmt::format_to(to,
@@ -144,9 +144,8 @@ void write_aggregate(std::string& out, const Aggregate& aggregate, std::size_t n
                        box.min.x * mm_per_metre);
     }
     out += "</defs>\n";
-    const bool outlined = aggregate.domain && !aggregate.texture;
-    const std::string domain = outlined ? path_data(*aggregate.domain) : "";
-    if (outlined)
+    const std::string domain = aggregate.domain ? path_data(*aggregate.domain) : "";
+    if (aggregate.domain && !aggregate.texture)
         fmt::format_to(to,
                        "<path class=\"ground\" fill=\"#f4f2f0\" fill-rule=\"evenodd\" d=\"{}\"/>\n",
                        domain);
@@ -156,7 +155,7 @@ void write_aggregate(std::string& out, const Aggregate& aggregate, std::size_t n
     write_elements(out, aggregate, number, color);
     write_margins(out, aggregate, number);
     out += "</g>\n";
-    if (outlined)
+    if (aggregate.domain && !is_tile(aggregate))
         fmt::format_to(to,
                        "<path class=\"domain\" fill=\"none\" stroke=\"#333338\" "
                        "stroke-width=\"1.5\" vector-effect=\"non-scaling-stroke\" d=\"{}\"/>\n",

@@ -196,6 +196,30 @@ TEST(PictureLayout, ATextureIsTransparentBetweenElements) {
     EXPECT_NEAR(paper.at(0, 0)[0], 1, 1e-6);
 }
 
+TEST(PictureLayout, ATorusOfALayoutIsOnePeriodWithoutASeam) {
+    const test::Folder folder;
+    Aggregate aggregate = arrows(true, folder);
+    aggregate.texture = false;
+    const std::vector<Aggregate> one{aggregate};
+    EXPECT_EQ(picture_box(one).size(), bounds(*aggregate.domain).size());
+    Aggregate bare = aggregate;
+    bare.instances.clear();
+    for (const Image& image : {drawn(bare, 80), svg_drawn(bare, 80, 60)})
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                for (std::size_t c = 0; c < 4; ++c) // ground everywhere: neither frame nor outline
+                    ASSERT_NEAR(image.at(x, y)[c], image.at(40, 30)[c], 1e-5) << x << " " << y;
+    // Half a period on, what was the seam is in the middle, and nothing else changes.
+    Aggregate moved = aggregate;
+    for (Instance& instance : moved.instances)
+        instance.world_from_object[3][0] += instance.world_from_object[3][0] > 0 ? -0.2 : 0.2;
+    const Image here = drawn(aggregate, 80), there = drawn(moved, 80);
+    for (int y = 0; y < here.height; ++y)
+        for (int x = 0; x < here.width; ++x)
+            for (std::size_t c = 0; c < 4; ++c)
+                ASSERT_NEAR(here.at(x, y)[c], there.at((x + 40) % 80, y)[c], 1e-4) << x << " " << y;
+}
+
 TEST(PictureLayout, BackgroundsFillTheDomain) {
     const test::Folder folder;
     Aggregate aggregate = arrows(false, folder);
