@@ -58,6 +58,36 @@ std::shared_ptr<const Region> inner_domain(const ElementsSettings& settings,
     }
 }
 
+/// Which component keeps the others farthest away, as "components[2], leaf.svg".
+std::string farthest_component(const PoissonDiskProblem& problem,
+                               const std::vector<ElementShape>& shapes) {
+    const bool one_class = problem.classes.size() == 1; // of all components
+    std::size_t farthest = 0;
+    double longest = 0;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const EllipseAxes& own = shapes[i].room.exclusive;
+        const double length = one_class
+                                  ? std::max(own.length, own.width)
+                                  : std::max(problem.classes[i].length, problem.classes[i].width);
+        if (length > longest) {
+            longest = length;
+            farthest = i;
+        }
+    }
+    return fmt::format("components[{}], {}", farthest + 1, shapes[farthest].prototype.name);
+}
+
+void check_tile(const ElementsSettings& settings, const PoissonDiskProblem& problem,
+                const std::vector<ElementShape>& shapes) {
+    try {
+        check_torus(problem);
+    } catch (const Error& error) {
+        throw settings.torus_place.error(error.diagnostics().front().message,
+                                         "the longest distance is that of " +
+                                             farthest_component(problem, shapes));
+    }
+}
+
 PoissonDiskProblem problem_from(const ElementsSettings& settings,
                                 const std::vector<ElementShape>& shapes) {
     const std::shared_ptr<const Region>& domain = settings.domain;
@@ -66,7 +96,7 @@ PoissonDiskProblem problem_from(const ElementsSettings& settings,
     if (settings.torus && !is_rectangle(*domain))
         throw settings.torus_place.error(
             "the domain is no rectangle along x and z; only such tile");
-    return {
+    PoissonDiskProblem problem{
         .domain =
             !settings.torus && settings.whole_inside ? inner_domain(settings, shapes) : domain,
         .torus = settings.torus,
@@ -78,6 +108,9 @@ PoissonDiskProblem problem_from(const ElementsSettings& settings,
         .kept = {},
         .window = {},
     };
+    if (problem.torus)
+        check_tile(settings, problem, shapes);
+    return problem;
 }
 
 std::vector<Instance> instances_of(const std::vector<DiskSample>& samples,
@@ -161,8 +194,8 @@ Aggregate bake_elements(const PreparedElements& prepared, const Context& context
         return bake_on_surface(settings, shapes, context);
     const PoissonDiskProblem& problem = *prepared.problem;
     const auto sampling_start = Clock::now();
-    PoissonDiskSet set = located(problem.torus ? settings.torus_place : settings.components_place,
-                                 [&] { return sample_poisson_disks(problem, context); });
+    PoissonDiskSet set =
+        located(settings.components_place, [&] { return sample_poisson_disks(problem, context); });
     const Seconds sampling = Clock::now() - sampling_start;
     if (settings.spacing != nullptr)
         for (DiskSample& sample : set.samples)

@@ -20,17 +20,36 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-void check_torus(const LayoutSettings& settings, const LayoutProblem& problem) {
+// The component whose circumscribed circle with its margin is the largest.
+std::size_t largest_component(const LayoutProblem& problem) {
+    std::size_t largest = 0;
+    double reach = 0;
+    for (std::size_t i = 0; i < problem.shapes.size(); ++i) {
+        const double own =
+            problem.shapes[i].radius() + (problem.margins.empty() ? 0 : problem.margins[i]);
+        if (own > reach) {
+            reach = own;
+            largest = i;
+        }
+    }
+    return largest;
+}
+
+void check_torus(const LayoutSettings& settings, const LayoutProblem& problem,
+                 const std::vector<Prototype>& prototypes) {
     const Vec2 size = problem.domain.box().size();
     if (!is_rectangle(problem.domain.region()))
         throw settings.torus_place.error(
             "the domain is no rectangle along x and z; only such tile");
     const double least = 4 * (problem.largest_radius() + problem.largest_margin());
-    if (std::min(size.x, size.y) < least)
-        throw settings.torus_place.error(
-            fmt::format("the domain is {:.4g} m wide; with these components it must be {:.4g} m, "
-                        "so that none meets itself",
-                        std::min(size.x, size.y), least));
+    if (std::min(size.x, size.y) >= least)
+        return;
+    const std::size_t largest = largest_component(problem);
+    throw settings.torus_place.error(
+        fmt::format("the domain is {:.4g} m wide; with these components it must be {:.4g} m, so "
+                    "that none meets itself",
+                    std::min(size.x, size.y), least),
+        fmt::format("the largest is components[{}], {}", largest + 1, prototypes[largest].name));
 }
 
 LayoutProblem problem_from(const LayoutSettings& settings,
@@ -53,7 +72,7 @@ LayoutProblem problem_from(const LayoutSettings& settings,
         problem.classes.push_back(component.class_number);
     }
     if (problem.domain.is_torus())
-        check_torus(settings, problem);
+        check_torus(settings, problem, prototypes);
     if (problem.domain.inside() == Inside::whole)
         for (std::size_t i = 0; i < prototypes.size(); ++i)
             located(settings.components[i].shape_place,

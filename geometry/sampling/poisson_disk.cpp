@@ -12,8 +12,6 @@
 
 namespace scree {
 
-namespace {
-
 void check_torus(const PoissonDiskProblem& problem) {
     const DiskMetric metric(problem);
     const Box2 box = bounds(*problem.domain);
@@ -24,6 +22,8 @@ void check_torus(const PoissonDiskProblem& problem) {
                                 "{:.4g} m, so that none meets itself",
                                 std::min(size.x, size.y), least));
 }
+
+namespace {
 
 bool is_isotropic(const PoissonDiskProblem& problem) {
     const DiskClass& only = problem.classes[0];

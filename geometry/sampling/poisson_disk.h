@@ -52,13 +52,15 @@ struct PoissonDiskSet {
     std::uint64_t unresolved = 0; // pieces of the domain too small to tell whether they are covered
 };
 
+/// Throws Error for a torus that is narrower than four times the longest reach.
+void check_torus(const PoissonDiskProblem& problem);
+
 /// A maximal set: no two samples conflict, and no sample of any class could be added, except in
 /// `unresolved` places, each narrower than 1e-9 of the ellipse there, or than 1e-3 where a field
 /// jumps. Up to rounding it is distributed as if darts had been thrown uniformly over the domain,
 /// one by one without end (random sequential adsorption), with the darts of each class in
 /// proportion to the square of its ellipse's area. Relaxed sets (`relax_disks`) are also free of
-/// conflicts and maximal, but more even. Throws Cancelled, and Error for a torus that is narrower
-/// than four times the longest reach.
+/// conflicts and maximal, but more even. Throws Cancelled, and what `check_torus` throws.
 PoissonDiskSet sample_poisson_disks(const PoissonDiskProblem& problem, const Context& context);
 
 /// Distances between centres of classes, row by row: `distances[i]` on the diagonal, and between
