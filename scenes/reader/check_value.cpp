@@ -68,9 +68,11 @@ class Checker {
         return {};
     }
 
-    Value wrong_type() {
-        return mistake(
-            fmt::format("expected {}, got {}", type_in_words(spec_), in_words(given_.value)));
+    Value wrong_type() { return wrong_type(given_.value, {}); }
+
+    Value wrong_type(const Description& value, std::string hint) {
+        return mistake(fmt::format("expected {}, got {}", type_in_words(spec_), in_words(value)),
+                       std::move(hint));
     }
 
     double to_internal(double number) const {
@@ -161,7 +163,7 @@ class Checker {
                 if (const std::optional<double> number = as_number(*item.value))
                     out.push_back(*number);
         if (out.size() != count) {
-            wrong_type();
+            wrong_type(from, without_names(from, count));
             return {};
         }
         for (const double number : out)

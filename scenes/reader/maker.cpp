@@ -47,6 +47,14 @@ std::string title_of(const Description& node) {
 } // namespace
 
 Params Maker::params(const Description& table, const std::string& path,
+                     const std::vector<ParamSpec>& specs, const Registry<MakeObject>* family) {
+    open_.push_back({path, specs, family});
+    Params out = fields(table, path, specs);
+    open_.pop_back();
+    return out;
+}
+
+Params Maker::fields(const Description& table, const std::string& path,
                      const std::vector<ParamSpec>& specs) {
     Params out(path, table.where);
     out.set_warnings(mistakes_.warnings());
@@ -57,17 +65,10 @@ Params Maker::params(const Description& table, const std::string& path,
         return out;
     }
     const Table& fields = fields_of(table);
-    std::vector<std::string> names;
-    for (const ParamSpec& spec : specs)
-        names.push_back(spec.name);
     for (const auto& [name, item] : fields)
-        if (std::find(names.begin(), names.end(), name) == names.end()) {
-            std::string hint = did_you_mean(name, names);
-            if (hint.empty())
-                hint = names.empty() ? "it has no fields"
-                                     : fmt::format("there are: {}", fmt::join(names, ", "));
-            mistakes_.add({table.where.file, item.line}, path + "." + name, "unknown field", hint);
-        }
+        if (std::ranges::find(specs, name, &ParamSpec::name) == specs.end())
+            mistakes_.add({table.where.file, item.line}, path + "." + name, "unknown field",
+                          field_hint(name, open_));
     for (const ParamSpec& spec : specs) {
         const auto field = fields.find(spec.name);
         if (field == fields.end()) {
@@ -114,7 +115,8 @@ Value Maker::value(const Given& given, const ParamSpec& spec) {
 
 Value Maker::wrong_kind(const Given& given, const ParamSpec& spec) {
     mistakes_.add(given.where, given.path,
-                  fmt::format("expected {}, got {}", type_in_words(spec), in_words(given.value)));
+                  fmt::format("expected {}, got {}", type_in_words(spec), in_words(given.value)),
+                  spec.type == ParamType::texture ? without_names(given.value, 3) : "");
     return {};
 }
 
@@ -139,7 +141,7 @@ SharedObject Maker::make(const Given& given, const Registry<MakeObject>& family)
     if (found == nullptr)
         return {};
     const std::size_t before = mistakes_.count();
-    const Params checked = params(given.value, title_of(given.value), found->params);
+    const Params checked = params(given.value, title_of(given.value), found->params, &family);
     if (mistakes_.count() != before)
         return {};
     try {

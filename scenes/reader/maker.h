@@ -4,6 +4,7 @@
 
 #include "model/catalog.h"
 #include "scenes/reader/check_value.h"
+#include "scenes/reader/field_hint.h"
 
 #include <unordered_map>
 
@@ -18,11 +19,15 @@ class Maker {
     Maker(const Catalog& catalog, Mistakes& mistakes) : catalog_(catalog), mistakes_(mistakes) {}
 
     /// The fields of a table as parameters, with defaults; reports unknown, missing and invalid
-    /// ones. `path` is that of the table: "generator.layout.components[2]".
+    /// ones. `path` is that of the table: "generator.layout.components[2]". `family` is that of a
+    /// constructor's table.
     Params params(const Description& table, const std::string& path,
-                  const std::vector<ParamSpec>& specs);
+                  const std::vector<ParamSpec>& specs,
+                  const Registry<MakeObject>* family = nullptr);
 
   private:
+    Params fields(const Description& table, const std::string& path,
+                  const std::vector<ParamSpec>& specs);
     Value value(const Given& given, const ParamSpec& spec);
     Value object(const Given& given, const ParamSpec& spec);
     Value field(const Given& given, const ParamSpec& spec);
@@ -39,6 +44,7 @@ class Maker {
 
     const Catalog& catalog_;
     Mistakes& mistakes_;
+    std::vector<OpenTable> open_; // outermost first
     std::unordered_map<const Description*, SharedObject> made_;
     std::unordered_map<std::string, SharedObject> equal_; // by what the nodes say
 };

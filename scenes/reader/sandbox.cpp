@@ -2,6 +2,7 @@
 #include "scenes/reader/sandbox.h"
 
 #include "core/file.h"
+#include "scenes/reader/hidden_names.h"
 #include "scenes/reader/json.h"
 #include "scenes/reader/lua_lexer.h"
 
@@ -249,6 +250,13 @@ void Sandbox::print(std::string_view text) {
     channel_.send(ScriptMessage::print, text);
 }
 
+// The families, and the functions that Scree adds to Lua's.
+std::vector<std::string> Sandbox::scree_names() const {
+    std::vector<std::string> names = families();
+    names.insert(names.end(), {"object", "scene", "arg", "include", "srgb", "mm", "cm", "deg"});
+    return names;
+}
+
 void Sandbox::check_overrides(const std::string& path) const {
     const std::vector<std::string> known(asked_.begin(), asked_.end());
     std::vector<Diagnostic> unused;
@@ -294,7 +302,10 @@ std::string Sandbox::describe(const std::string& path) {
     if (status == LUA_ERRMEM)
         end_at_limit(ScriptMessage::memory, watch.place);
     if (status != LUA_OK) {
-        const LuaMessage message = parse_lua_message(luaL_tolstring(state_, -1, nullptr), {0, 0});
+        LuaMessage message = parse_lua_message(luaL_tolstring(state_, -1, nullptr), {0, 0});
+        if (message.hint.empty() && message.place.line > 0)
+            message.hint = hidden_name_hint(sources_[std::size_t(message.place.file)],
+                                            message.place.line, scree_names());
         throw Error(
             Diagnostic{location(message.place), {}, plain_words(message.text), message.hint});
     }

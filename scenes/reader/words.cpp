@@ -41,8 +41,12 @@ std::string in_words(const Description& given, const std::string& unit) {
             return "{" + items + "}";
         }
         std::string operator()(const Description::Table& table) const {
-            return table.empty() ? "{}"
-                                 : fmt::format("a table with the field {}", table.begin()->first);
+            if (table.empty())
+                return "{}";
+            std::string names;
+            for (const auto& [name, item] : table)
+                names += (names.empty() ? "" : ", ") + name;
+            return fmt::format("a table with the field{} {}", table.size() == 1 ? "" : "s", names);
         }
     };
     return std::visit(Visitor{unit}, given.data);
@@ -107,6 +111,13 @@ std::string type_in_words(const ParamSpec& spec) {
                    : "a list of tables";
     }
     return {};
+}
+
+std::string without_names(const Description& given, std::size_t count) {
+    if (!given.kind.empty() || !std::holds_alternative<Description::Table>(given.data))
+        return {};
+    return fmt::format("the numbers stand without names, as in {}",
+                       count == 2 ? "{0.1, 0.2}" : "{0.1, 0.2, 0.3}");
 }
 
 } // namespace scree

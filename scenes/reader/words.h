@@ -23,4 +23,8 @@ std::string limits_in_words(const ParamSpec& spec);
 /// The declared type: "a number", "{low, high}", "a mesh.*".
 std::string type_in_words(const ParamSpec& spec);
 
+/// A hint where a list of `count` numbers was written with the names by which it is described, as
+/// {x = 1, z = 2}; empty otherwise.
+std::string without_names(const Description& given, std::size_t count);
+
 } // namespace scree

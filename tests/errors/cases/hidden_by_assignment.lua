@@ -1,0 +1,2 @@
+scene = { lights = { light.sky {} } }
+return scene { objects = { object { shape = mesh.sphere {} } } }
