@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/plot_sheet.h"
 #include "app/commands.h"
+#include "app/file_option.h"
 #include "app/scene_options.h"
 #include "core/file.h"
 #include "formats/read_bake_json.h"
@@ -102,8 +103,8 @@ void add_analyse_command(CLI::App& app, Run& run) {
         "analyse", "Measure a layout: fill, gaps, pair correlation, power spectrum.");
     options->scene.add_to(*command);
     command->get_option("SCENE")->description("Scene (.lua, .json) or baked layout (.json)");
-    command->add_option("-o,--output", options->output,
-                        "File to write: .json, and plots of the same name as .png");
+    add_file_option(*command, "-o,--output", options->output,
+                    "File to write: .json, and plots of the same name as .png");
     command
         ->add_option(
             "--seeds", options->seeds,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
+#include "app/file_option.h"
 #include "app/scene_options.h"
 #include "core/file.h"
 #include "formats/table.h"
@@ -83,6 +84,8 @@ int bake(const BakeOptions& options) {
     const SceneFormat format = scene_format(scene_formats(), options.output);
     const SolidOptions solid = options.solid();
     check_writable(options.output);
+    if (!options.stats.empty())
+        check_writable(options.stats);
     SceneRun run(options.scene);
     const Exported exported = export_scene(run.session, run.session.bake(run.session.load()),
                                            format, options.output, options.size, solid);
@@ -100,14 +103,13 @@ void add_bake_command(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("bake", "Run a scene's generators and write what they made.");
     options->scene.add_to(*command);
-    command
-        ->add_option("-o,--output", options->output,
-                     "File to write: .json, .svg, .png, .exr, .stl or .3mf")
+    add_file_option(*command, "-o,--output", options->output,
+                    "File to write: .json, .svg, .png, .exr, .stl or .3mf")
         ->required();
     command->add_option("--size", options->size, "Pixels of the longer side of a .png or .exr")
         ->check(CLI::Range(16, 32768))
         ->type_name("PIXELS");
-    command->add_option("--stats", options->stats, "Write counts, times and memory as JSON");
+    add_stats_option(*command, options->stats);
     options->add_solid_options(*command);
     command->footer("Example:\n  scree bake scenes/toys.lua -o toys.json --set seed=9\n"
                     "  scree bake heap.lua -o heap.3mf --resolution 0.2mm --bridge 0.3mm\n"

@@ -17,10 +17,26 @@ struct CheckOptions {
     bool json = false;
 };
 
+// What rendering needs and baking does not.
+void warn_of_missing(const SceneDraft& draft, const std::string& path, Console& console) {
+    const auto warn = [&](const char* parameter, const char* example) {
+        const Diagnostic missing{{path, 0},
+                                 parameter,
+                                 "missing: scree bake can do without, scree render cannot",
+                                 std::string("for example ") + example};
+        console.say("warning: " + missing.text());
+    };
+    if (!draft.scene.camera)
+        warn("scene.camera", "camera = camera.perspective {}");
+    if (draft.scene.lights.empty())
+        warn("scene.lights", "lights = { light.sky {}, light.sun {} }");
+}
+
 int check(const CheckOptions& options) {
     SceneRun run(options.scene);
     const DescriptionNode description = run.session.description();
     const SceneDraft draft = run.session.check(description);
+    warn_of_missing(draft, options.scene.path, run.console);
     if (options.json) {
         fmt::print("{}\n", to_json(*description));
         return 0;

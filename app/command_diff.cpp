@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
+#include "app/exr_part.h"
 #include "core/error.h"
 #include "core/image.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,7 @@ namespace {
 struct DiffOptions {
     std::string a;
     std::string b;
+    std::string part; // empty: the first of a
     std::optional<double> max;
 };
 
@@ -38,13 +41,10 @@ struct Difference {
     bool same_bits = true;
 };
 
-// The variance parts of both pictures hold the variance of each pixel's mean, so (a - b)^2 divided
-// by their sum has mean 1 when the pictures differ by noise only.
-Difference compare(const ExrFile& file_a, const ExrFile& file_b) {
-    const Image& a = file_a.parts.front().image;
-    const Image& b = file_b.parts.front().image;
-    const ImagePart* variance_a = find_part(file_a, "variance");
-    const ImagePart* variance_b = find_part(file_b, "variance");
+// The variance parts of both pictures hold the variance of each pixel's mean in the beauty, so
+// (a - b)^2 divided by their sum has mean 1 when the pictures differ by noise only.
+Difference compare(const Image& a, const Image& b, const ImagePart* variance_a,
+                   const ImagePart* variance_b) {
     Difference out;
     out.has_variance = variance_a != nullptr && variance_b != nullptr &&
                        variance_a->image.channels.size() >= 3 &&
@@ -80,15 +80,38 @@ Difference compare(const ExrFile& file_a, const ExrFile& file_b) {
     return out;
 }
 
+/// Colours, or what else the first three channels hold, must be the same.
+void check_alike(const Image& a, const Image& b, const DiffOptions& options) {
+    if (a.width != b.width || a.height != b.height)
+        throw Error(fmt::format("{} is {} x {} pixels and {} is {} x {}", options.a, a.width,
+                                a.height, options.b, b.width, b.height));
+    const auto compared = [](const Image& image) {
+        std::vector<std::string> names = image.channels;
+        names.resize(std::min<std::size_t>(names.size(), 3));
+        return names;
+    };
+    if (compared(a) != compared(b))
+        throw Error(fmt::format("{} has the channels {} and {} has {}", options.a,
+                                fmt::join(a.channels, ", "), options.b,
+                                fmt::join(b.channels, ", ")));
+}
+
 int diff(const DiffOptions& options) {
     const ExrFile a = read_exr(options.a);
     const ExrFile b = read_exr(options.b);
-    const Image& image_a = a.parts.front().image;
-    const Image& image_b = b.parts.front().image;
-    if (image_a.width != image_b.width || image_a.height != image_b.height)
-        throw Error(fmt::format("{} is {} x {} pixels and {} is {} x {}", options.a, image_a.width,
-                                image_a.height, options.b, image_b.width, image_b.height));
-    const Difference d = compare(a, b);
+    const ImagePart& part_a =
+        options.part.empty() ? a.parts.front() : named_part(a, options.a, options.part);
+    const bool by_order = options.part.empty() && (part_a.name.empty() || b.parts.size() == 1);
+    const ImagePart& part_b =
+        by_order ? b.parts.front()
+                 : named_part(b, options.b, options.part.empty() ? part_a.name : options.part);
+    check_alike(part_a.image, part_b.image, options);
+    if (options.part.empty() && a.parts.size() + b.parts.size() > 2)
+        fmt::print("the first part, of {}: {}\n", options.a, part_names(a));
+    const bool is_first = &part_a == &a.parts.front();
+    const Difference d =
+        compare(part_a.image, part_b.image, is_first ? find_part(a, "variance") : nullptr,
+                is_first ? find_part(b, "variance") : nullptr);
     fmt::print("rmse {:.6g}, largest {:.6g} at ({}, {})", d.rmse, d.largest, d.x, d.y);
     if (d.has_variance)
         fmt::print(", mean squared difference over variance {:.3f}", d.mean_z2);
@@ -107,6 +130,11 @@ void add_diff_command(CLI::App& app, Run& run) {
         "diff", "Compare two pictures; exit code 1 when their RMSE is above --max (default 0).");
     command->add_option("A", options->a, "First .exr")->required();
     command->add_option("B", options->b, "Second .exr")->required();
+    command
+        ->add_option(
+            "--part", options->part,
+            "Part of multi-part files (default: the first of A, and of the same name in B)")
+        ->type_name("NAME");
     command->add_option("--max", options->max, "Largest RMSE that counts as the same")
         ->check(CLI::NonNegativeNumber);
     command->footer("Example:\n  scree diff before.exr after.exr --max 0.01");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
+#include "app/file_option.h"
+#include "app/object_option.h"
 #include "app/scene_options.h"
 #include "core/file.h"
 #include "session/run_stats.h"
@@ -18,17 +20,29 @@ struct HeightOptions {
     SceneOptions scene;
     std::string output;
     std::string stats;
-    int index = 0; // 1-based; 0: the only one
+    std::string object; // its number or name; empty: see index
+    int index = 0;      // 1-based, among the maps; 0: the only one
     bool vector = false;
 };
 
-/// The aggregate whose height map is requested. Throws Error when there is none, when the index is
-/// too large, and when there are several and no index is given.
-const Aggregate& chosen(const std::vector<Aggregate>& aggregates, const HeightOptions& options) {
-    std::vector<const Aggregate*> maps;
-    for (const Aggregate& aggregate : aggregates)
-        if (aggregate.height)
-            maps.push_back(&aggregate);
+bool makes_height(const SceneItem& item) { return item.kind == "leather"; }
+
+/// The number of the item whose height map is requested, counted from 1. Throws Error when there is
+/// none, when the index is too large, and when there are several and none is chosen.
+int chosen_map(const SceneDraft& draft, const HeightOptions& options) {
+    if (!options.object.empty()) {
+        const int object = chosen_object(options.object, options.scene.path, draft);
+        const SceneItem& item = *draft.items[std::size_t(object - 1)];
+        if (!makes_height(item))
+            throw Error(Diagnostic{item.where,
+                                   item.kind == "object" ? "object" : "generator." + item.kind,
+                                   "has no height map; expected a generator.leather", ""});
+        return object;
+    }
+    std::vector<int> maps;
+    for (std::size_t i = 0; i < draft.items.size(); ++i)
+        if (makes_height(*draft.items[i]))
+            maps.push_back(static_cast<int>(i) + 1);
     if (maps.empty())
         throw Error(Diagnostic{{options.scene.path, 0},
                                "scene.objects",
@@ -38,11 +52,11 @@ const Aggregate& chosen(const std::vector<Aggregate>& aggregates, const HeightOp
     if (options.index == 0 && count > 1)
         throw Error::usage(
             fmt::format("{} has {} height maps; choose one", options.scene.path, count),
-            "for example --index 1, counted in the order of scene.objects");
+            "for example --index 1, counted in the order of scene.objects, or --object NAME");
     if (options.index > count)
         throw Error::usage(fmt::format("--index {}: {} has {} height map{}", options.index,
                                        options.scene.path, count, count == 1 ? "" : "s"));
-    return *maps[std::size_t(options.index == 0 ? 0 : options.index - 1)];
+    return maps[std::size_t(options.index == 0 ? 0 : options.index - 1)];
 }
 
 /// The heights as a grey picture, the lowest black and the highest white.
@@ -60,8 +74,11 @@ int write_map(const HeightOptions& options) {
         check_writable(options.stats);
 
     SceneRun run(options.scene);
-    const Scene scene = run.session.bake(run.session.load());
-    const Aggregate& aggregate = chosen(scene.aggregates, options);
+    SceneDraft draft = run.session.load();
+    const int chosen = chosen_map(draft, options);
+    make_only(chosen, draft);
+    const Scene scene = run.session.bake(std::move(draft));
+    const Aggregate& aggregate = scene.aggregates[std::size_t(chosen - 1)];
 
     run.session.stages().begin("write");
     const HeightField heights = aggregate.height->as_height();
@@ -92,15 +109,24 @@ void add_height_command(CLI::App& app, Run& run) {
     CLI::App* command = app.add_subcommand(
         "height", "Write the height map that a scene's generator makes, with a .png beside it.");
     options->scene.add_to(*command);
-    command->add_option("-o,--output", options->output, "File to write: .exr, in metres")
+    add_file_option(*command, "-o,--output", options->output,
+                    "File to write: .exr, in metres; a .png to look at beside it")
         ->required();
     command->add_flag("--vector", options->vector,
                       "Write the offset along x, y and z as R, G and B in place of the height");
+    CLI::Option* index =
+        command
+            ->add_option("--index", options->index,
+                         "Which map, counted from 1, when several generators make one; the others "
+                         "are not made")
+            ->check(CLI::Range(1, 1 << 20))
+            ->type_name("N");
     command
-        ->add_option("--index", options->index,
-                     "Which map, counted from 1, when several generators make one")
-        ->check(CLI::Range(1, 1 << 20));
-    command->add_option("--stats", options->stats, "Write counts, times and memory as JSON");
+        ->add_option("--object", options->object,
+                     "The same by the generator's name, or its number in scene.objects")
+        ->type_name("N|NAME")
+        ->excludes(index);
+    add_stats_option(*command, options->stats);
     command->footer("Example:\n  scree height scenes/leather.lua -o leather.exr --index 2");
     command->callback([options, &run] { run = [options] { return write_map(*options); }; });
 }

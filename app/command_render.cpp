@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
+#include "app/file_option.h"
 #include "app/scene_options.h"
 #include "core/file.h"
 #include "render/film/color.h"
@@ -170,8 +171,8 @@ void add_render_command(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("render", "Render a scene to an .exr, with a .png beside it.");
     options->scene.add_to(*command);
-    command->add_option("-o,--output", options->output,
-                        "File to write: .exr (default: SCENE.exr here)");
+    add_file_option(*command, "-o,--output", options->output,
+                    "File to write: .exr (default: SCENE.exr here)");
     command->add_option("--spp", options->samples, "Samples per pixel (default: the scene's)")
         ->check(CLI::Range(1, 1 << 24));
     command->add_option("--time", options->time_limit, "Stop after this many seconds")
@@ -194,7 +195,7 @@ void add_render_command(CLI::App& app, Run& run) {
         ->type_name("LIST");
     command->add_option("--view", options->view, "View for the .png; see `scree view --help`")
         ->type_name("NAME");
-    command->add_option("--stats", options->stats, "Write times, memory and counts as JSON");
+    add_stats_option(*command, options->stats);
     command->footer("Ctrl-C keeps what is done.\n"
                     "Example:\n  scree render scenes/toys.lua -o toys.exr --spp 64 --aov albedo,N");
     command->callback([options, &run] { run = [options] { return run_render(*options); }; });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
+#include "app/object_option.h"
 #include "app/texture_options.h"
 #include "core/device.h"
 #include "core/display_encoding.h"
@@ -16,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 
 namespace scree {
@@ -224,45 +224,6 @@ void check_fills_space(const TextureSubject& subject, TextureMap map) {
                                      "use --map uv");
 }
 
-/// Stands for an item that need not be baked.
-std::shared_ptr<const SceneItem> nothing() {
-    return std::make_shared<const SceneItem>(
-        SceneItem{"object", [](const Context&, std::uint64_t) { return Aggregate{}; }});
-}
-
-/// The number of the object that --object names, counted from 1; 0 without the option.
-int chosen_object(const TextureOptions& options,
-                  const std::vector<std::shared_ptr<const SceneItem>>& items) {
-    const std::string& given = options.object;
-    if (given.empty())
-        return 0;
-    std::vector<std::string> names;
-    int found = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if (items[i]->name.empty())
-            continue;
-        names.push_back(items[i]->name);
-        if (items[i]->name != given)
-            continue;
-        if (found > 0)
-            throw Error::usage(fmt::format("--object {}: the objects {} and {} have this name",
-                                           given, found, i + 1),
-                               "choose one by its number");
-        found = static_cast<int>(i) + 1;
-    }
-    if (found > 0)
-        return found;
-    int number = 0;
-    const auto [end, code] = std::from_chars(given.data(), given.data() + given.size(), number);
-    const bool is_number = code == std::errc() && end == given.data() + given.size();
-    if (is_number && number >= 1 && std::size_t(number) <= items.size())
-        return number;
-    throw Error::usage(fmt::format("--object {}: expected the name of an object of {}, or a number "
-                                   "from 1 to {}",
-                                   given, options.scene.path, items.size()),
-                       did_you_mean(given, names));
-}
-
 int bake_texture(const TextureOptions& options) {
     const TextureRequest request = options.request();
     check_writable(options.output);
@@ -272,11 +233,10 @@ int bake_texture(const TextureOptions& options) {
     SceneRun run(options.scene);
     Session& session = run.session;
     SceneDraft draft = session.load();
-    const int object = chosen_object(options, draft.items);
+    const int object =
+        options.object.empty() ? 0 : chosen_object(options.object, options.scene.path, draft);
     if (object > 0)
-        for (std::size_t i = 0; i < draft.items.size(); ++i)
-            if (i != std::size_t(object - 1))
-                draft.items[i] = nothing();
+        make_only(object, draft);
     const Scene scene = session.bake(std::move(draft));
     TextureSubject subject = texture_subject(options.scene.path, scene, object);
     check_fills_space(subject, request.map);

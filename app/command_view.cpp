@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
+#include "app/exr_part.h"
+#include "app/file_option.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
@@ -17,6 +19,7 @@ namespace {
 struct ViewOptions {
     std::string input;
     std::string output;
+    std::string part; // empty: the first
     std::string view;
     double exposure = 0;
 };
@@ -26,8 +29,13 @@ int view(const ViewOptions& options) {
         throw Error::usage(options.output + ": expected a name that ends in .png");
     check_writable(options.output);
     const ExrFile file = read_exr(options.input);
-    write_png(options.output, to_display(file.parts.front().image, options.view,
-                                         static_cast<float>(options.exposure)));
+    const ImagePart& part =
+        options.part.empty() ? file.parts.front() : named_part(file, options.input, options.part);
+    write_png(options.output,
+              to_display(part.image, options.view, static_cast<float>(options.exposure)));
+    if (options.part.empty() && file.parts.size() > 1)
+        fmt::print(stderr, "shows the first part of {}; its parts are: {}\n", options.input,
+                   part_names(file));
     return 0;
 }
 
@@ -38,7 +46,9 @@ void add_view_command(CLI::App& app, Run& run) {
     CLI::App* command =
         app.add_subcommand("view", "Turn an .exr into a .png to look at, through OpenColorIO.");
     command->add_option("FILE", options->input, "Picture to read: .exr")->required();
-    command->add_option("-o,--output", options->output, "File to write: .png")->required();
+    add_file_option(*command, "-o,--output", options->output, "File to write: .png")->required();
+    command->add_option("--part", options->part, "Part of a multi-part .exr (default: the first)")
+        ->type_name("NAME");
     command->add_option("--view", options->view, "View of the OpenColorIO configuration")
         ->type_name("NAME");
     command->add_option("--exposure", options->exposure, "Brighter by this many stops")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/texture_options.h"
 
+#include "app/file_option.h"
 #include "core/file.h"
 
 #include <CLI/CLI.hpp>
@@ -55,7 +56,8 @@ void read_texture_size(const std::string& text, TextureRequest& request) {
 
 void TextureOptions::add_to(CLI::App& command) {
     scene.add_to(command);
-    command.add_option("-o,--output", output, "File to write: .png, .exr or .vdb")->required();
+    add_file_option(command, "-o,--output", output, "File to write: .png, .exr or .vdb")
+        ->required();
     command
         .add_option("--object", object,
                     "Which of scene.objects, by its name or counted from 1, when several have a "
@@ -78,7 +80,7 @@ void TextureOptions::add_to(CLI::App& command) {
     command.add_option("--slices", slices, "Number of slices (default 8)")
         ->check(CLI::Range(1, 1024));
     command.add_option("--axis", axis, "What slices are across (default z)")->type_name("x|y|z");
-    command.add_option("--stats", stats, "Write times, memory and counts as JSON");
+    add_stats_option(command, stats);
     command.footer("Example:\n"
                    "  scree texture vase.lua -o vase.png --size 2048\n"
                    "  scree texture vase.lua -o vase_normal.exr --channel normal\n"

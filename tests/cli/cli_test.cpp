@@ -348,7 +348,8 @@ TEST_F(Cli, HeightReportsErrors) {
     outcome = run("height two.lua -o a.exr --quiet");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.err, "two.lua has 2 height maps; choose one\n"
-                           "  for example --index 1, counted in the order of scene.objects\n");
+                           "  for example --index 1, counted in the order of scene.objects, or "
+                           "--object NAME\n");
     outcome = run("height two.lua -o a.exr --index 3 --quiet");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.err, "--index 3: two.lua has 2 height maps\n");

@@ -78,7 +78,81 @@ TEST_F(OptionsCli, WithoutLightThereIsNoPicture) {
               "dark.lua: scene.lights: are missing; without light the picture is black\n"
               "  for example lights = { light.sky {}, light.sun {} }\n");
     EXPECT_FALSE(fs::exists(path("a.exr")));
-    EXPECT_EQ(run("check dark.lua").code, 0); // it can be baked
+    const Outcome checked = run("check dark.lua"); // it can be baked
+    EXPECT_EQ(checked.code, 0);
+    EXPECT_EQ(checked.err,
+              "warning: dark.lua: scene.lights: missing: scree bake can do without, scree render "
+              "cannot\n  for example lights = { light.sky {}, light.sun {} }\n");
+    EXPECT_EQ(run("check named.lua").err, "");
+}
+
+TEST_F(OptionsCli, AnOptionIsNotTakenForAFile) {
+    for (const std::string command : {"render", "bake", "height", "texture"}) {
+        const Outcome outcome = run(command + " named.lua --stats -o a.exr");
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.err, "scree " + command +
+                                   ": --stats: expected the name of a file, got -o; a file of this "
+                                   "name is ./-o\n  see scree " +
+                                   command + " --help\n");
+    }
+    for (const char* arguments : {"analyse named.lua -o --seeds 2", "view a.exr -o --exposure 1"}) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments;
+        EXPECT_NE(outcome.err.find("expected the name of a file, got --"), std::string::npos)
+            << outcome.err;
+    }
+    EXPECT_EQ(run("bake named.lua -o a.json --stats ./-o").code, 0);
+    EXPECT_TRUE(fs::exists(path("-o")));
+}
+
+TEST_F(OptionsCli, HeightAsksBeforeItMakesAMap) {
+    write_file(path("maps.lua"),
+               "local function tile(name, size)\n"
+               "  return generator.leather { name = name, size = size, resolution = 16,\n"
+               "    triangles = 100 }\nend\n"
+               "return scene { objects = { object { shape = mesh.box {}, name = 'box' },\n"
+               "  tile('calf', 0.03), tile('hide', 0.04) } }\n");
+    const Outcome asked = run("height maps.lua -o a.exr");
+    EXPECT_EQ(asked.code, 2);
+    EXPECT_EQ(asked.err, "maps.lua has 2 height maps; choose one\n  for example --index 1, counted "
+                         "in the order of scene.objects, or --object NAME\n");
+    const auto made = [&](const std::string& option) {
+        const Outcome outcome = run("height maps.lua -o a.exr " + option);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err.find("leather \""), outcome.err.rfind("leather \""))
+            << "one is made: " << outcome.err;
+        return read_exr(path("a.exr")).numbers;
+    };
+    EXPECT_EQ(made("--index 2"), made("--object hide"));
+    EXPECT_EQ(made("--index 2"), made("--object 3"));
+    EXPECT_NE(made("--index 1"), made("--object hide"));
+    EXPECT_EQ(run("height maps.lua -o a.exr --object box").err,
+              "maps.lua:5: object: has no height map; expected a generator.leather\n");
+    EXPECT_EQ(run("height maps.lua -o a.exr --object hid").err,
+              "--object hid: expected the name of an object of maps.lua, or a number from 1 to 3\n"
+              "  did you mean hide?\n");
+    EXPECT_EQ(run("height maps.lua -o a.exr --object hide --index 1").code, 2);
+}
+
+TEST_F(OptionsCli, PartsOfAPictureAreSaidAndChosen) {
+    ASSERT_EQ(run("render named.lua -o a.exr --aov N,albedo").code, 0);
+    ASSERT_EQ(run("render named.lua -o b.exr --aov albedo").code, 0);
+    ASSERT_EQ(run("bake named.lua -o layout.exr --size 24").code, 0);
+    EXPECT_EQ(run("view a.exr -o a.png").err,
+              "shows the first part of a.exr; its parts are: beauty, albedo, N\n");
+    const std::string beauty = read_file(path("a.png"));
+    EXPECT_EQ(run("view a.exr -o a.png --part N").err, "");
+    EXPECT_NE(read_file(path("a.png")), beauty);
+    EXPECT_EQ(run("view a.exr -o a.png --part n").err,
+              "a.exr: has no part n; there are: beauty, albedo, N\n  did you mean N?\n");
+    EXPECT_EQ(run("view layout.exr -o a.png").err, "") << "it has one part";
+
+    EXPECT_EQ(run("diff a.exr b.exr").out, "the first part, of a.exr: beauty, albedo, N\n"
+                                           "rmse 0, largest 0 at (0, 0), pixels identical\n");
+    EXPECT_EQ(run("diff a.exr b.exr --part albedo").code, 0);
+    EXPECT_EQ(run("diff a.exr b.exr --part N").err,
+              "b.exr: has no part N; there are: beauty, albedo\n");
+    EXPECT_EQ(run("diff a.exr layout.exr").code, 1) << "of other sizes";
 }
 
 /// The four numbers of a window in the header of an EXR: left, top, right, bottom.
