@@ -142,8 +142,13 @@ ParamSpec shape_material_spec(const std::string& doc) {
 }
 
 Materials materials_of(const Params& params, const Mesh* shape) {
-    if (auto material = params.object<Material>("material"))
+    if (auto material = params.object<Material>("material")) {
+        if (shape != nullptr && std::holds_alternative<Fibre>(*material))
+            throw params.error("material",
+                               shape->name + " is a mesh; material.fibre is for curves",
+                               "shape = curve.polyline { ... } or another curve.*");
         return {std::move(material)};
+    }
     if (!params.has("material"))
         return {};
     const std::string name = shape == nullptr ? "the shape" : shape->name;

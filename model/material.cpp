@@ -54,6 +54,12 @@ const Paint* paint_of(const Materials& materials) {
     return materials.size() == 1 && materials.front() ? paint_of(*materials.front()) : nullptr;
 }
 
+bool any_fibre(const Materials& materials) {
+    return std::any_of(materials.begin(), materials.end(), [](const auto& material) {
+        return material && std::holds_alternative<Fibre>(*material);
+    });
+}
+
 bool uses_uv(const Material& material) {
     const Paint* paint = paint_of(material);
     return (paint != nullptr && asks_for_uv(*paint)) || is_oriented(material);

@@ -82,6 +82,21 @@ struct Translucent {
     std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const;
 };
 
+/// A dielectric cylinder with a rough surface, far thinner than what is seen of it, such as a hair
+/// (Chiang et al. 2016, "A practical and controllable hair and fur model for production path
+/// tracing"). For strands: light goes through the whole fibre at once.
+struct Fibre {
+    static constexpr bool oriented = true; // along the strand
+
+    Paint paint{{Color(0.5F, 0.5F, 0.5F), nullptr}, {}}; // of a thick bunch, see fibre_color.h
+    float beta_m = 0.3F;                                 // roughness along the fibre, in (0, 1]
+    float beta_n = 0.3F;                                 // around it
+    float eta = 1.55F;                                   // index of refraction
+    float tilt = 0.034906585F;                           // of its scales towards the root [rad]
+
+    std::unique_ptr<const PreparedMaterial> prepare(AlbedoTables& tables) const;
+};
+
 /// A material that a program adds at run time. Thread-safe once made.
 class CustomMaterial {
   public:
@@ -103,8 +118,8 @@ inline constexpr double largest_ior = 3;
 
 /// Members of an alternative that others find by their names: `paint`, `roughness` (perceptual),
 /// and `static constexpr bool oriented` (as in CustomMaterial).
-using Material =
-    std::variant<Matte, Plastic, Metal, Glass, Translucent, std::shared_ptr<const CustomMaterial>>;
+using Material = std::variant<Matte, Plastic, Metal, Glass, Translucent, Fibre,
+                              std::shared_ptr<const CustomMaterial>>;
 
 /// The materials of a shape: none, which is grey matte; one for all of it; or one for each part of
 /// its mesh, by Mesh::parts. A null pointer is grey matte.
@@ -115,6 +130,9 @@ const Paint* paint_of(const Material& material);
 
 /// That of a shape's only material; null when there is another number of materials.
 const Paint* paint_of(const Materials& materials);
+
+/// Whether one of them is for strands alone.
+bool any_fibre(const Materials& materials);
 
 /// Whether its look depends on a surface's UVs or tangent, which hits then carry.
 bool uses_uv(const Material& material);

@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/table.h"
 
+#include "model/fibre_table.h"
 #include "model/table_tools.h"
 
 namespace scree {
 
 namespace {
-
-ParamSpec paint_spec(const Color& fallback, std::string doc) {
-    return {
-        .name = "color", .type = ParamType::texture, .doc = std::move(doc), .fallback = fallback};
-}
-
-ParamSpec palette_spec() {
-    return {.name = "palette",
-            .type = ParamType::list,
-            .doc = "Colours of which each instance gets a random one, in place of color.",
-            .optional = true,
-            .fields = {{.name = "color", .type = ParamType::color, .doc = "One of the colours."}},
-            .min_items = 1};
-}
 
 ParamSpec roughness_spec(double fallback) {
     return {.name = "roughness",
@@ -37,18 +24,6 @@ ParamSpec ior_spec() {
             .fallback = 1.5,
             .min = least_ior,
             .max = largest_ior};
-}
-
-Paint make_paint(const Params& params) {
-    Paint paint{texture_of(params, "color"), {}};
-    if (paint.texture.procedural == nullptr)
-        check_color(params, "color", paint.texture.constant, 1);
-    if (params.has("palette"))
-        for (const Params& entry : params.list("palette")) {
-            check_color(entry, "color", entry.color("color"), 1);
-            paint.palette.push_back(entry.color("color"));
-        }
-    return paint;
 }
 
 Plugin<MakeMaterial> matte_plugin() {
@@ -184,6 +159,7 @@ Registry<MakeMaterial> material_table() {
     table.add(metal_plugin());
     table.add(glass_plugin());
     table.add(translucent_plugin());
+    table.add(fibre_plugin());
     return table;
 }
 

@@ -17,10 +17,11 @@ using MakeLight = Light(const Params& params);
 using MakeCamera = Camera(const Params& params);
 using MakeItem = SceneItem(const Params& params);
 
-Registry<MakeMaterial> material_table(); // material.matte, plastic, metal, glass, translucent
-Registry<MakeLight> light_table();       // light.sky, sun, area
-Registry<MakeCamera> camera_table();     // camera.perspective
-Registry<MakeItem> object_table();       // object
+Registry<MakeMaterial>
+material_table();                    // material.matte, plastic, metal, glass, translucent, fibre
+Registry<MakeLight> light_table();   // light.sky, sun, area
+Registry<MakeCamera> camera_table(); // camera.perspective
+Registry<MakeItem> object_table();   // object
 
 /// The generators of a table as items of a scene. Input errors that they throw are located at the
 /// constructor.

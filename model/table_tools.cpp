@@ -31,4 +31,30 @@ float float_number(const Params& params, const std::string& name) {
     return static_cast<float>(params.number(name));
 }
 
+ParamSpec paint_spec(const Color& fallback, std::string doc) {
+    return {
+        .name = "color", .type = ParamType::texture, .doc = std::move(doc), .fallback = fallback};
+}
+
+ParamSpec palette_spec() {
+    return {.name = "palette",
+            .type = ParamType::list,
+            .doc = "Colours of which each instance gets a random one, in place of color.",
+            .optional = true,
+            .fields = {{.name = "color", .type = ParamType::color, .doc = "One of the colours."}},
+            .min_items = 1};
+}
+
+Paint make_paint(const Params& params) {
+    Paint paint{texture_of(params, "color"), {}};
+    if (paint.texture.procedural == nullptr)
+        check_color(params, "color", paint.texture.constant, 1);
+    if (params.has("palette"))
+        for (const Params& entry : params.list("palette")) {
+            check_color(entry, "color", entry.color("color"), 1);
+            paint.palette.push_back(entry.color("color"));
+        }
+    return paint;
+}
+
 } // namespace scree

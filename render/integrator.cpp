@@ -95,10 +95,10 @@ void Integrator::walk(Path& path, RayCount& count) const {
     path.throughput_ *= walk.weight;
     if (walk.exit.found()) {
         path.found_ = walk.exit;
-        path.ray_.direction = walk.direction;
+        path.ray_ = {walk.origin, walk.direction};
     } else {
         path.found_.distance = 0;
-        path.ray_.direction = -path.ray_.direction;
+        path.ray_ = {path.hit_.position, -path.ray_.direction};
     }
 }
 
@@ -167,7 +167,7 @@ bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCou
         path.walking_ = true;
         return true;
     }
-    if (scattered.transmitted) {
+    if (scattered.transmitted && !surface.bsdf.lobe->traits().goes_through) {
         path.absorption_ =
             surface.outside ? surface.material->absorption() : Color(0.0F, 0.0F, 0.0F);
         path.absorbing_ = !black(path.absorption_);

@@ -96,6 +96,7 @@ Walk walk_inside(const World& world, const Medium& medium, const Hit& entry, con
                 walk.exit = *met;
                 walk.exit.distance = (hit.position - entry.position).length();
                 walk.direction = ray.direction;
+                walk.origin = hit.position - ray.direction * walk.exit.distance;
                 break;
             }
             ray = hit.leave(ray.direction);

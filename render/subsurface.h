@@ -13,6 +13,7 @@ namespace scree {
 struct Walk {
     RawHit exit;            // on the same instance; none: it leaves where it entered
     Vec3 direction;         // in which it reached the exit
+    Vec3 origin;            // exit.distance before it
     Color weight;           // the share of the light that is left; black: absorbed
     std::uint64_t rays = 0; // traced during the walk
 };

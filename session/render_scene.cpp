@@ -11,7 +11,8 @@ Rendered render_scene(Session& session, const Scene& scene, const RenderOptions&
     RenderResult result =
         render(world, scene.camera.value(), scene.film, options, session.context("render"));
     session.stages().end();
-    const RenderFigures figures{result.stats, world.instance_count(), world.memory_bytes()};
+    const RenderFigures figures{result.stats, world.instance_count(), world.memory_bytes(),
+                                world.strand_figures()};
     return {std::move(result), figures};
 }
 

@@ -72,6 +72,10 @@ std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggr
                           {"instances", render->instances},
                           {"scene_mib", double(render->scene_bytes) / (1 << 20)},
                           {"invalid_samples", stats.invalid_samples}};
+        if (render->strands.strands > 0)
+            root["render"]["strands"] = {{"count", render->strands.strands},
+                                         {"segments", render->strands.segments},
+                                         {"mib", double(render->strands.bytes) / (1 << 20)}};
     }
     if (!texture.empty())
         root["texture"] = facts_json(texture);

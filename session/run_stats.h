@@ -17,6 +17,7 @@ struct RenderFigures {
     RenderStats stats;
     std::size_t instances = 0;
     std::size_t scene_bytes = 0;
+    StrandFigures strands{};
 };
 
 /// The JSON of --stats (docs/formats.md): the cost of every stage, the facts of every generator

@@ -34,6 +34,8 @@ struct LobeTraits {
     // Where a shading normal would send the viewer's mirror image below the surface, it is bent
     // until it does not.
     bool mirrors = false;
+    // Light that goes below the surface has left the whole thing again on its other side.
+    bool goes_through = false;
 };
 
 /// A way to scatter light: one object, shared by all the places that do so. What differs from place

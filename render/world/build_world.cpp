@@ -66,21 +66,17 @@ SceneHandle World::State::tree(const Mesh& mesh) const {
 }
 
 MeshTree World::State::build(const Mesh& mesh) const {
-    MeshTree made{tree(mesh), triangle_records(mesh), {}};
-    made.bounds = embree::bounds(made.tree.get());
+    MeshTree made;
+    made.scene = tree(mesh);
+    made.bounds = embree::bounds(made.scene.get());
+    made.triangles = triangle_records(mesh);
     return made;
 }
 
-void World::State::collect(const std::shared_ptr<const Mesh>& mesh, const Aggregate& /*of*/,
+void World::State::collect(const std::shared_ptr<const Mesh>& mesh,
                            const Prototype& /*prototype*/) {
     if (mesh != nullptr && !mesh->triangles.empty() && mesh_trees.try_emplace(mesh.get()).second)
         meshes.push_back(mesh);
-}
-
-void World::State::collect(const std::shared_ptr<const Strands>& /*strands*/, const Aggregate& of,
-                           const Prototype& prototype) {
-    throw Error(Diagnostic{of.where, title(of),
-                           prototype.name + " is of strands, which cannot be rendered yet", ""});
 }
 
 namespace {
@@ -88,6 +84,13 @@ namespace {
 bool any_uses_uv(const Materials& materials) {
     return std::any_of(materials.begin(), materials.end(),
                        [](const auto& material) { return material && uses_uv(*material); });
+}
+
+/// Light goes through a fibre at once, so it must be round and have an axis.
+void check_fibre(const Prototype& prototype, const Aggregate& of) {
+    if (prototype.mesh() != nullptr && any_fibre(prototype.materials))
+        throw Error(Diagnostic{of.where, title(of),
+                               prototype.name + " is a mesh; material.fibre is for strands", ""});
 }
 
 /// Light that walks inside of a shape must come out where it is of the same kind.
@@ -124,9 +127,9 @@ void World::State::add_prototypes(std::span<const Aggregate> aggregates, const C
     materials.push_back(std::make_shared<const Material>(Matte{}));
     for (const Aggregate& aggregate : aggregates)
         for (const Prototype& prototype : aggregate.prototypes) {
-            std::visit([&](const auto& shape) { collect(shape, aggregate, prototype); },
-                       prototype.shape);
+            std::visit([&](const auto& shape) { collect(shape, prototype); }, prototype.shape);
             check_parts(prototype, aggregate);
+            check_fibre(prototype, aggregate);
             const auto [number, is_new] = numbers.try_emplace(
                 prototype.materials, static_cast<std::uint32_t>(materials.size()));
             if (is_new)
@@ -138,12 +141,22 @@ void World::State::add_prototypes(std::span<const Aggregate> aggregates, const C
                                   .uses_uv = any_uses_uv(prototype.materials)});
         }
     build_mesh_trees(context);
-    for (PrototypeRecord& prototype : prototypes)
-        if (const auto found = mesh_trees.find(prototype.mesh); found != mesh_trees.end()) {
-            prototype.mesh_tree = &found->second;
-            prototype.triangles = found->second.triangles.data();
-            prototype.has_normals = !prototype.mesh->normals.empty();
-        }
+    build_strand_trees(context);
+    std::size_t number = 0;
+    for (const Aggregate& aggregate : aggregates)
+        for (const Prototype& prototype : aggregate.prototypes)
+            find_tree(prototype, prototypes[number++]);
+}
+
+void World::State::find_tree(const Prototype& prototype, PrototypeRecord& record) const {
+    if (const auto mesh = mesh_trees.find(prototype.mesh()); mesh != mesh_trees.end()) {
+        record.tree = &mesh->second;
+        record.triangles = mesh->second.triangles.data();
+        record.has_normals = !prototype.mesh()->normals.empty();
+    }
+    const auto found = strand_trees.find({prototype.strands(), any_fibre(prototype.materials)});
+    if (found != strand_trees.end())
+        record.tree = record.strands = &found->second;
 }
 
 void World::State::add_instances(std::span<const Aggregate> aggregates) {
@@ -162,11 +175,16 @@ void World::State::add_instances(std::span<const Aggregate> aggregates) {
 
 void World::State::attach(const InstanceRecord& record, unsigned id) {
     const PrototypeRecord& prototype = prototypes[record.prototype];
-    if (prototype.mesh_tree == nullptr || record.scale == 0)
+    if (prototype.tree == nullptr || record.scale == 0)
         return; // nothing to see
-    triangles += prototype.mesh->triangles.size();
+    if (prototype.strands != nullptr) {
+        strand_figures.strands += prototype.strands->strands->count();
+        strand_figures.segments += prototype.strands->strands->segment_count();
+    } else {
+        triangles += prototype.mesh->triangles.size();
+    }
     const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-    rtcSetGeometryInstancedScene(geometry.get(), prototype.mesh_tree->tree.get());
+    rtcSetGeometryInstancedScene(geometry.get(), prototype.tree->scene.get());
     rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &record.rows[0]);
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometryByID(scene.get(), geometry.get(), id);

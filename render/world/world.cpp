@@ -144,12 +144,12 @@ RawHit World::find(const Ray& ray, std::uint64_t* clock) const {
 std::optional<RawHit> World::find_within(std::uint32_t instance, const Ray& ray,
                                          std::uint64_t* clock) const {
     const InstanceRecord& record = state_->instances[instance];
-    const MeshTree* tree = state_->prototypes[record.prototype].mesh_tree;
+    const ShapeTree* tree = state_->prototypes[record.prototype].tree;
     assert(tree != nullptr);
     const Vec3 origin = record.inverse_direction(ray.origin - record.rows[3]);
     if (!tree->bounds.intersects(origin))
         return std::nullopt;
-    const RTCRayHit query = first_hit(tree->tree.get(), origin,
+    const RTCRayHit query = first_hit(tree->scene.get(), origin,
                                       record.inverse_direction(ray.direction), ray.length, clock);
     RawHit raw;
     if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
@@ -165,7 +165,11 @@ void World::prefetch(const RawHit& raw) const {
     if (!raw.found() || raw.instance == Hit::none)
         return;
     const InstanceRecord& record = state_->instances[raw.instance];
-    __builtin_prefetch(&state_->prototypes[record.prototype].triangles[raw.primitive]);
+    const PrototypeRecord& prototype = state_->prototypes[record.prototype];
+    if (prototype.strands != nullptr)
+        __builtin_prefetch(&prototype.strands->firsts[raw.primitive]);
+    else
+        __builtin_prefetch(&prototype.triangles[raw.primitive]);
 }
 
 void World::fill(const Ray& ray, const RawHit& raw, Hit& hit) const {
@@ -175,7 +179,11 @@ void World::fill(const Ray& ray, const RawHit& raw, Hit& hit) const {
         hit.position = ray.origin + ray.direction * raw.distance;
         hit.offset = rounding * largest(hit.position);
     } else {
-        state_->fill_surface(raw, hit);
+        const InstanceRecord& record = state_->instances[raw.instance];
+        if (state_->prototypes[record.prototype].strands != nullptr)
+            state_->fill_strand(ray, raw, hit);
+        else
+            state_->fill_surface(raw, hit);
     }
     hit.distance = raw.distance;
 }
@@ -215,6 +223,7 @@ Box3 World::bounds() const { return embree::bounds(state_->scene.get()); }
 
 std::size_t World::instance_count() const { return state_->instances.size(); }
 std::size_t World::triangle_count() const { return state_->triangles; }
+const StrandFigures& World::strand_figures() const { return state_->strand_figures; }
 std::span<const std::shared_ptr<const Material>> World::materials() const {
     return state_->materials;
 }

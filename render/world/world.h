@@ -27,13 +27,13 @@ struct Hit {
     static constexpr std::uint32_t none = 0xffffffffU;
 
     Vec3 position;
-    Vec3 normal;         // geometric, unit, outwards by the order of the vertices
+    Vec3 normal;         // geometric, unit, outwards (of a mesh: by the order of the vertices)
     Vec3 shading_normal; // interpolated, unit, on the same side as `normal`
     Vec3 object_position;
     float distance = 0;
     float level = 0;  // y of the position in the scene [m]
     float offset = 0; // how far the position may be off its surface [m]
-    float random = 0; // of the instance
+    float random = 0; // of the instance, shifted by that of the strand
     std::uint32_t instance = none;
     std::uint32_t material = 0;             // index into World::materials
     std::uint32_t light = none;             // index into the lights, of an area light
@@ -41,15 +41,25 @@ struct Hit {
     const InstanceRecord* record = nullptr; // the object's frame; null on lights
 
     // Found only where the material uses them (see uses_uv), and 0 elsewhere.
-    Vec2f uv{0.0F, 0.0F};   // 0 where the mesh has none
+    // 0 where the mesh has none; of a strand how far towards the tip, in parts of its length, and
+    // how far across its width, as the ray sees it
+    Vec2f uv{0.0F, 0.0F};
     float uv_per_metre = 0; // of the object, by the triangle's areas; 0 where the mesh has no UVs
-    Vec3 tangent{0.0F, 0.0F, 0.0F}; // dp/du, unit; where there is none, any square to `normal`
+    // dp/du, unit, of a strand along its axis; where there is none, any square to `normal`
+    Vec3 tangent{0.0F, 0.0F, 0.0F};
 
     /// A ray that leaves the surface and cannot meet it again by rounding.
     Ray leave(const Vec3& direction) const {
         const float side = direction.dot(normal) > 0 ? offset : -offset;
         return {position + normal * side, direction};
     }
+};
+
+/// How much of a world is strands.
+struct StrandFigures {
+    std::size_t strands = 0;  // after instancing
+    std::size_t segments = 0; // likewise
+    std::size_t bytes = 0;    // of Embree's trees and buffers of them, which instances share
 };
 
 /// A hit as Embree reports it; `World::fill` makes a Hit of it.
@@ -63,14 +73,14 @@ struct RawHit {
     bool found() const { return geometry != Hit::none; }
 };
 
-/// Aggregates and area lights, ready for rays. Prototypes that share a mesh share its tree, the
+/// Aggregates and area lights, ready for rays. Prototypes that share a shape share its tree, the
 /// bounding volumes in which Embree finds it. Thread-safe once built.
 class World {
   public:
     /// Rays, hits and lights are relative to `origin`: near the camera, so that what is seen there
-    /// keeps its precision however far from the scene's own origin it lies. Keeps the meshes
-    /// alive, not the aggregates. Throws Error (resource) when Embree runs out of memory, Error
-    /// (input) for shapes that cannot be rendered (strands), Cancelled on the context's cancel.
+    /// keeps its precision however far from the scene's own origin it lies. Keeps the meshes and
+    /// strands alive, not the aggregates. Throws Error (resource) when Embree runs out of memory,
+    /// Error (input) for a material that its shape cannot have, Cancelled on the context's cancel.
     World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
           const Context& context = {}, const WideVec3& origin = WideVec3(0));
     ~World();
@@ -87,7 +97,7 @@ class World {
     void fill(const Ray& ray, const RawHit& raw, Hit& hit) const;
 
     /// What a ray meets of one instance, as if nothing else were there; nullopt where the ray
-    /// begins outside of the mesh's bounding box.
+    /// begins outside of the shape's bounding box.
     std::optional<RawHit> find_within(std::uint32_t instance, const Ray& ray,
                                       std::uint64_t* clock = nullptr) const;
 
@@ -102,7 +112,8 @@ class World {
     Box3 bounds() const; // empty for an empty world
     std::size_t instance_count() const;
     std::size_t triangle_count() const; // after instancing
-    std::size_t memory_bytes() const;   // of Embree's trees and of the records beside them
+    const StrandFigures& strand_figures() const;
+    std::size_t memory_bytes() const; // of Embree's trees and of the records beside them
 
   private:
     struct State;

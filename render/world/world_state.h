@@ -2,8 +2,8 @@
 // What a World holds; for the files that build it and answer its rays.
 #pragma once
 
-#include "render/world/embree_adapter.h"
 #include "render/world/instance_record.h"
+#include "render/world/strand_tree.h"
 #include "render/world/triangle_record.h"
 #include "render/world/world.h"
 
@@ -15,10 +15,8 @@
 namespace scree {
 
 /// What instances of one mesh share.
-struct MeshTree {
-    embree::SceneHandle tree;
+struct MeshTree : ShapeTree {
     std::vector<TriangleRecord> triangles;
-    Box3 bounds; // in the object's frame
 };
 
 struct PrototypeRecord {
@@ -28,7 +26,8 @@ struct PrototypeRecord {
     bool by_part = false;       // the others follow, by the parts of the mesh
     bool has_normals = false;
     bool uses_uv = false;                // a material does, so hits must carry it
-    const MeshTree* mesh_tree = nullptr; // null where there is nothing to see
+    const ShapeTree* tree = nullptr;     // null where there is nothing to see
+    const StrandTree* strands = nullptr; // the same, of strands
 };
 
 struct World::State {
@@ -41,8 +40,10 @@ struct World::State {
     embree::DeviceHandle device;
     std::map<const Mesh*, MeshTree> mesh_trees;
     std::vector<std::shared_ptr<const Mesh>> meshes; // those of mesh_trees, kept alive
-    std::vector<PrototypeRecord> prototypes;         // of all aggregates, one after the other
-    std::vector<InstanceRecord> instances;           // likewise
+    std::map<std::pair<const Strands*, bool>, StrandTree> strand_trees; // true: of fibres
+    std::vector<std::shared_ptr<const Strands>> strands;                // likewise kept alive
+    std::vector<PrototypeRecord> prototypes; // of all aggregates, one after the other
+    std::vector<InstanceRecord> instances;   // likewise
     std::vector<std::shared_ptr<const Material>> materials; // first that of what has none
     WideVec3 origin{0, 0, 0};                               // what all below is relative to
     std::vector<Light> lights;
@@ -50,6 +51,7 @@ struct World::State {
     std::vector<Vec3> light_vertices;         // four for each area light
     embree::SceneHandle scene;
     std::size_t triangles = 0; // of all instances
+    StrandFigures strand_figures;
 
     void open_device();
     /// Throws Error (resource) when Embree has reported an error.
@@ -58,13 +60,14 @@ struct World::State {
     void commit(const Context& context);
 
     // Shapes: one function for each kind.
-    void collect(const std::shared_ptr<const Mesh>& mesh, const Aggregate& of,
-                 const Prototype& prototype);
-    void collect(const std::shared_ptr<const Strands>& strands, const Aggregate& of,
-                 const Prototype& prototype);
+    void collect(const std::shared_ptr<const Mesh>& mesh, const Prototype& prototype);
+    void collect(const std::shared_ptr<const Strands>& shape, const Prototype& prototype);
     void build_mesh_trees(const Context& context);
+    void build_strand_trees(const Context& context);
     MeshTree build(const Mesh& mesh) const;
+    StrandTree build(const Strands& shape, bool is_fibre) const;
     embree::SceneHandle tree(const Mesh& mesh) const;
+    void find_tree(const Prototype& prototype, PrototypeRecord& record) const;
 
     void add_prototypes(std::span<const Aggregate> aggregates, const Context& context);
     void add_instances(std::span<const Aggregate> aggregates);
@@ -72,6 +75,7 @@ struct World::State {
     void add_area_lights();
 
     void fill_surface(const RawHit& found, Hit& hit) const;
+    void fill_strand(const Ray& ray, const RawHit& found, Hit& hit) const;
     void fill_light(const RawHit& found, Hit& hit) const;
 };
 

@@ -201,23 +201,6 @@ TEST(World, HitsCarryUvAndTangentWhereTheMaterialUsesThem) {
     EXPECT_EQ(hit_on_triangle(uvs, test::grey_matte(1)).uv, Vec2f(0.0F));
 }
 
-TEST(World, SaysThatItCannotDrawStrands) {
-    auto strands = std::make_shared<Strands>();
-    strands->points = {Vec3(0.0F), Vec3(0.0F, 1.0F, 0.0F)};
-    strands->radii = {0.1F, 0.1F};
-    strands->offsets = {0, 2};
-    Aggregate aggregate;
-    aggregate.prototypes.push_back({.name = "hair", .shape = strands});
-    EXPECT_EQ(aggregate.prototypes[0].mesh(), nullptr);
-    try {
-        const World world({&aggregate, 1}, {});
-        FAIL() << "no error";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.diagnostics().front().message,
-                  "hair is of strands, which cannot be rendered yet");
-    }
-}
-
 TEST(World, BuildsCanBeCancelled) {
     test::Stage stage;
     stage.add(test::make_sphere(1, 64), test::grey_matte(1));

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Embree's trees of strands.
+#include "render/world/world_state.h"
+
+#include <cassert>
+
+namespace scree {
+
+namespace {
+
+// Back sides do not exist: light has left a fibre once it has been scattered.
+void front_only(const RTCFilterFunctionNArguments* args) {
+    assert(args->N == 1);
+    const RTCHit* hit = reinterpret_cast<const RTCHit*>(args->hit);
+    const RTCRay* ray = reinterpret_cast<const RTCRay*>(args->ray);
+    if (hit->Ng_x * ray->dir_x + hit->Ng_y * ray->dir_y + hit->Ng_z * ray->dir_z > 0)
+        args->valid[0] = 0;
+}
+
+bool well_formed(const Strands& strands) {
+    if (strands.offsets.front() != 0 || strands.offsets.back() != strands.points.size() ||
+        strands.radii.size() != strands.points.size())
+        return false;
+    for (std::size_t i = 0; i < strands.count(); ++i)
+        if (strands.offsets[i + 1] < strands.offsets[i] + strands.piece_points())
+            return false;
+    return true;
+}
+
+void copy_vertices(const Strands& strands, Imath::V4f* vertices) {
+    for (std::size_t i = 0; i < strands.points.size(); ++i) {
+        const Vec3& p = strands.points[i];
+        vertices[i] = {p.x, p.y, p.z, strands.radii[i]};
+    }
+}
+
+// A segment knows its neighbours, whose parts inside of it are not there.
+void copy_segments(const Strands& strands, std::uint32_t* firsts, unsigned char* flags) {
+    const auto more = static_cast<std::uint32_t>(strands.piece_points() - 1);
+    for (std::size_t strand = 0; strand < strands.count(); ++strand) {
+        const std::uint32_t begin = strands.offsets[strand];
+        const std::uint32_t end = strands.offsets[strand + 1] - more;
+        for (std::uint32_t i = begin; i < end; ++i) {
+            *firsts++ = i;
+            if (flags != nullptr)
+                *flags++ =
+                    static_cast<unsigned char>((i > begin ? RTC_CURVE_FLAG_NEIGHBOR_LEFT : 0) |
+                                               (i + 1 < end ? RTC_CURVE_FLAG_NEIGHBOR_RIGHT : 0));
+        }
+    }
+}
+
+} // namespace
+
+void World::State::collect(const std::shared_ptr<const Strands>& shape,
+                           const Prototype& prototype) {
+    if (shape == nullptr || shape->count() == 0)
+        return;
+    assert(well_formed(*shape));
+    if (strand_trees.try_emplace({shape.get(), any_fibre(prototype.materials)}).second)
+        strands.push_back(shape);
+}
+
+void World::State::build_strand_trees(const Context& context) {
+    const std::int64_t before = bytes;
+    for (auto& [key, tree] : strand_trees) {
+        context.check_cancel();
+        tree = build(*key.first, key.second);
+    }
+    check();
+    strand_figures.bytes = static_cast<std::size_t>(bytes - before);
+}
+
+StrandTree World::State::build(const Strands& shape, bool is_fibre) const {
+    const bool linear = shape.kind == CurveKind::linear;
+    StrandTree made;
+    made.scene = new_scene();
+    rtcSetSceneFlags(made.scene.get(),
+                     static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT));
+    made.strands = &shape;
+    const embree::GeometryHandle geometry(
+        rtcNewGeometry(device.get(), linear ? RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE
+                                            : RTC_GEOMETRY_TYPE_ROUND_BSPLINE_CURVE));
+    const std::size_t segments = shape.segment_count();
+    auto* vertices = static_cast<Imath::V4f*>(
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                sizeof(Imath::V4f), shape.points.size()));
+    auto* firsts = static_cast<std::uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
+                                sizeof(std::uint32_t), segments));
+    auto* flags =
+        linear ? static_cast<unsigned char*>(rtcSetNewGeometryBuffer(
+                     geometry.get(), RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, segments))
+               : nullptr;
+    if (vertices == nullptr || firsts == nullptr || (linear && flags == nullptr))
+        return made; // `check` reports why
+    copy_vertices(shape, vertices);
+    copy_segments(shape, firsts, flags);
+    made.vertices = vertices;
+    made.firsts = firsts;
+    if (is_fibre) {
+        rtcSetGeometryIntersectFilterFunction(geometry.get(), front_only);
+        rtcSetGeometryOccludedFilterFunction(geometry.get(), front_only);
+    }
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(made.scene.get(), geometry.get(), 0);
+    rtcCommitScene(made.scene.get());
+    made.bounds = embree::bounds(made.scene.get());
+    return made;
+}
+
+} // namespace scree

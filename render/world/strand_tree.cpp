@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Strands in the world: where they are met.
+#include "render/world/strand_tree.h"
+
+#include "core/frame.h"
+
+#include <algorithm>
+
+namespace scree {
+
+namespace {
+
+using Vertex = Imath::V4f; // position and radius
+
+Vec3 position_of(const Vertex& v) { return {v.x, v.y, v.z}; }
+
+// `from_axis` made unit; where the point is on the axis, any direction square to it.
+Vec3 radial(const Vec3& from_axis, const Vec3& axis) {
+    const float square = from_axis.dot(from_axis);
+    return square > 0 ? from_axis / std::sqrt(square) : Frame(axis).x;
+}
+
+// The surface is that of all balls between the two at the ends: the nearest is the one whose
+// surface has its normal through `p`.
+StrandPoint onto_cone(const Vertex& a, const Vertex& b, const Vec3& p) {
+    const Vec3 side = position_of(b) - position_of(a);
+    const float length = std::sqrt(side.dot(side));
+    StrandPoint out;
+    out.axis = length > 0 ? side / length : Vec3(0.0F, 1.0F, 0.0F);
+    const Vec3 from_a = p - position_of(a);
+    const float along = from_a.dot(out.axis);
+    const Vec3 across = from_a - out.axis * along;
+    // The sine of the cone's half angle. With one ball inside the other there is no cone.
+    const float sine = length > 0 ? std::clamp((a.w - b.w) / length, -0.999F, 0.999F) : 0;
+    const float at = along - std::sqrt(across.dot(across)) * sine / std::sqrt(1 - sine * sine);
+    out.fraction = length > 0 ? std::clamp(at / length, 0.0F, 1.0F) : 0;
+    const Vec3 centre = position_of(a) + side * out.fraction;
+    out.radius = a.w + (b.w - a.w) * out.fraction;
+    out.segment_length = length;
+    out.normal = radial(p - centre, out.axis);
+    out.position = centre + out.normal * out.radius;
+    return out;
+}
+
+/// A piece of a uniform cubic B-spline and its derivatives.
+struct Piece {
+    const Vertex* control; // four
+
+    static Vertex mix(const Vertex* c, float w0, float w1, float w2, float w3) {
+        return c[0] * w0 + c[1] * w1 + c[2] * w2 + c[3] * w3;
+    }
+    Vertex at(float u) const {
+        const float v = 1 - u;
+        return mix(control, v * v * v, 4 - 6 * u * u + 3 * u * u * u, 4 - 6 * v * v + 3 * v * v * v,
+                   u * u * u) *
+               (1.0F / 6);
+    }
+    Vertex first(float u) const {
+        const float v = 1 - u;
+        return mix(control, -v * v, -4 * u + 3 * u * u, 4 * v - 3 * v * v, u * u) * 0.5F;
+    }
+    Vertex second(float u) const { return mix(control, 1 - u, -2 + 3 * u, 1 - 3 * u, u); }
+};
+
+// The surface is that of all circles square to the curve.
+StrandPoint onto_piece(const Piece& piece, const Vec3& p, float u) {
+    constexpr int steps = 3; // of Newton's method; Embree's u is good to a few percent
+    for (int i = 0; i < steps; ++i) {
+        const Vec3 from_axis = p - position_of(piece.at(u));
+        const Vec3 velocity = position_of(piece.first(u));
+        const float slope = from_axis.dot(position_of(piece.second(u))) - velocity.dot(velocity);
+        if (!(slope < 0))
+            break; // beyond the centre of curvature
+        u = std::clamp(u - from_axis.dot(velocity) / slope, 0.0F, 1.0F);
+    }
+    const Vertex centre = piece.at(u);
+    const Vertex velocity = piece.first(u);
+    const Vec3 side = position_of(velocity);
+    const float speed = std::sqrt(side.dot(side));
+    StrandPoint out;
+    out.fraction = u;
+    out.radius = centre.w;
+    out.segment_length = speed;
+    out.axis = speed > 0 ? side / speed : Vec3(0.0F, 1.0F, 0.0F);
+    const Vec3 from_axis = p - position_of(centre);
+    const Vec3 outwards = radial(from_axis - out.axis * from_axis.dot(out.axis), out.axis);
+    out.position = position_of(centre) + outwards * out.radius;
+    // The surface's own speed along the curve is less on the inner side of a bend.
+    const float bend = speed > 0 ? outwards.dot(position_of(piece.second(u))) / speed : 0;
+    const float surface_speed = std::max(speed - out.radius * bend, 1e-6F * speed);
+    out.normal = speed > 0 ? unit(outwards - out.axis * (velocity.w / surface_speed)) : outwards;
+    return out;
+}
+
+} // namespace
+
+std::size_t strand_of(const Strands& strands, std::uint32_t first) {
+    const std::vector<std::uint32_t>& offsets = strands.offsets;
+    // Strands of equal length need no search.
+    const auto guess =
+        static_cast<std::size_t>(std::uint64_t{first} * strands.count() / strands.points.size());
+    if (offsets[guess] <= first && first < offsets[guess + 1])
+        return guess;
+    return static_cast<std::size_t>(std::upper_bound(offsets.begin(), offsets.end(), first) -
+                                    offsets.begin()) -
+           1;
+}
+
+StrandPoint onto_segment(const StrandTree& tree, std::uint32_t segment, const Vec3& p, float u) {
+    const Vertex* vertices = tree.vertices + tree.firsts[segment];
+    return tree.strands->kind == CurveKind::linear ? onto_cone(vertices[0], vertices[1], p)
+                                                   : onto_piece({vertices}, p, u);
+}
+
+} // namespace scree
