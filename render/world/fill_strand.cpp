@@ -48,6 +48,7 @@ void World::State::fill_strand(const Ray& ray, const RawHit& found, Hit& hit) co
         onto_segment(tree, found.primitive, from + direction * found.distance, found.barycentric.x);
     hit.object_position = point.position;
     hit.position = record.point(point.position);
+    hit.level = hit.position.y + float(origin.y);
     const Vec3 normal = record.normal(point.normal);
     hit.normal = hit.shading_normal = normal / std::sqrt(normal.dot(normal));
     hit.smooth = false;

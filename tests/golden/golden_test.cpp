@@ -106,7 +106,7 @@ TEST_P(Golden, PictureIsThatOfTheReference) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden,
                          testing::Values("materials", "layout", "pile", "elements", "leather",
-                                         "solid"),
+                                         "solid", "rocks"),
                          [](const auto& which) { return std::string(which.param); });
 
 } // namespace
