@@ -36,6 +36,10 @@ std::string type_text(const ParamSpec& spec) {
         return "{low, high} or a number";
     case ParamType::points:
         return "list of {x, z}";
+    case ParamType::points3:
+        return "list of {x, y, z}";
+    case ParamType::numbers:
+        return "number or list of numbers";
     case ParamType::function:
         return "function(x, z)";
     case ParamType::object:
@@ -72,6 +76,8 @@ std::string value_text(const Value& value) {
             return fmt::format("{{{:g}, {:g}}}", r.low, r.high);
         }
         std::string operator()(const std::vector<Vec2>&) const { return ""; }
+        std::string operator()(const std::vector<Vec3>&) const { return ""; }
+        std::string operator()(const std::vector<double>&) const { return ""; }
         std::string operator()(const SharedObject&) const { return ""; }
         std::string operator()(const std::shared_ptr<const std::vector<Params>>&) const {
             return "";

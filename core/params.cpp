@@ -21,6 +21,8 @@ struct InProgramUnits {
             return Range{number * unit, number * unit};
         case ParamType::field:
             return number;
+        case ParamType::numbers:
+            return std::vector<double>{number * unit};
         default:
             return number * unit;
         }
@@ -121,6 +123,14 @@ const Range& Params::range(const std::string& name) const { return get<Range>(na
 
 const std::vector<Vec2>& Params::points(const std::string& name) const {
     return get<std::vector<Vec2>>(name);
+}
+
+const std::vector<Vec3>& Params::points3(const std::string& name) const {
+    return get<std::vector<Vec3>>(name);
+}
+
+const std::vector<double>& Params::numbers(const std::string& name) const {
+    return get<std::vector<double>>(name);
 }
 
 const std::vector<Params>& Params::list(const std::string& name) const {

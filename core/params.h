@@ -30,6 +30,8 @@ enum class ParamType {
     color,    // {r, g, b}, linear, or one number for grey
     range,    // {low, high} with low <= high, or one number for both
     points,   // list of {x, z}
+    points3,  // list of {x, y, z}
+    numbers,  // a list of numbers, or one number
     function, // a script's function(x, z), sampled on a grid; the value is a text of numbers
     object,   // what a constructor of one of ParamSpec::families makes: mesh.*, region.*, ...
     field,    // field.*, or a number for a constant field; its values are in the unit of scripts
@@ -43,9 +45,10 @@ class Params;
 /// What users are told although nothing failed, in the order found.
 using Warnings = std::vector<Diagnostic>;
 
-using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec2, Vec3,
-                           WideVec3, Color, Range, std::vector<Vec2>, SharedObject,
-                           std::shared_ptr<const std::vector<Params>>>;
+using Value =
+    std::variant<std::monostate, bool, std::int64_t, double, std::string, Vec2, Vec3, WideVec3,
+                 Color, Range, std::vector<Vec2>, std::vector<Vec3>, std::vector<double>,
+                 SharedObject, std::shared_ptr<const std::vector<Params>>>;
 
 /// The declaration of one parameter. `fallback` (the default), `min` and `max` are in the unit of
 /// scripts.
@@ -120,6 +123,8 @@ class Params {
     const Color& color(const std::string& name) const;
     const Range& range(const std::string& name) const;
     const std::vector<Vec2>& points(const std::string& name) const;
+    const std::vector<Vec3>& points3(const std::string& name) const;
+    const std::vector<double>& numbers(const std::string& name) const;
 
     /// The object of an `object`, `field` or `texture` parameter; null when there is none, or when
     /// its type is not T (several families may be allowed).

@@ -52,6 +52,8 @@ class Parser {
             normal();
         else if (keyword == "f" || keyword == "fo") // an older name
             face();
+        else if (keyword == "l")
+            line();
         else if (keyword == "usemtl")
             material_ = trimmed(rest_); // one name, which may hold blanks
         else if (keyword == "mtllib")
@@ -123,6 +125,7 @@ class Parser {
     }
 
     void face() {
+        statement_ = "face";
         const std::size_t first = out_.corners.size();
         for (std::string_view next = word(); !next.empty(); next = word())
             out_.corners.push_back(corner(next));
@@ -130,6 +133,17 @@ class Parser {
         if (count < 3)
             throw Error(fmt::format("a face has {} corners; expected at least 3", count));
         out_.faces.push_back({first, count, line_, material_number()});
+    }
+
+    void line() {
+        statement_ = "line";
+        const std::size_t first = out_.corners.size();
+        for (std::string_view next = word(); !next.empty(); next = word())
+            out_.corners.push_back(corner(next));
+        const std::size_t count = out_.corners.size() - first;
+        if (count < 2)
+            throw Error(fmt::format("a line has {} corners; expected at least 2", count));
+        out_.lines.push_back({first, count, line_, 0});
     }
 
     // v, v/vt, v//vn or v/vt/vn; the slots after the first may be empty.
@@ -151,27 +165,27 @@ class Parser {
 
     // From a 1-based index, or one that counts backwards from the last. Indices of what follows
     // later in the file are valid.
-    static std::int32_t index(std::string_view slot, std::string_view word, std::size_t count,
-                              const char* what) {
+    std::int32_t index(std::string_view slot, std::string_view word, std::size_t count,
+                       const char* what) const {
         std::int64_t value = 0;
         const auto [end, code] = std::from_chars(slot.data(), slot.data() + slot.size(), value);
         if (code != std::errc() || end != slot.data() + slot.size())
-            throw Error(in_quotes(word) + " is not a corner of a face; expected whole numbers" +
-                        (word.find(',') == word.npos ? "" : " without commas"));
+            throw Error(fmt::format("{} is not a corner of a {}; expected whole numbers{}",
+                                    in_quotes(word), statement_,
+                                    word.find(',') == word.npos ? "" : " without commas"));
         if (value == 0)
-            throw Error(fmt::format("a face names {} 0; the first is 1", what));
+            throw Error(fmt::format("a {} names {} 0; the first is 1", statement_, what));
         const std::int64_t index = value > 0 ? value - 1 : std::int64_t(count) + value;
         if (index < 0 || index >= std::numeric_limits<std::int32_t>::max())
-            throw Error(fmt::format("a face names {} {} of {}", what, value, count));
+            throw Error(fmt::format("a {} names {} {} of {}", statement_, what, value, count));
         return static_cast<std::int32_t>(index);
     }
 
     // Statements that hold no polygons.
     void other_statement(const std::string& keyword) {
         static const std::map<std::string, const char*> kinds{
-            {"l", "lines"},      {"p", "points"},     {"curv", "curves"},
-            {"curv2", "curves"}, {"cdc", "curves"},   {"surf", "surfaces"},
-            {"bzp", "surfaces"}, {"bsp", "surfaces"}, {"cdp", "surfaces"}};
+            {"p", "points"},      {"curv", "curves"},  {"curv2", "curves"}, {"cdc", "curves"},
+            {"surf", "surfaces"}, {"bzp", "surfaces"}, {"bsp", "surfaces"}, {"cdp", "surfaces"}};
         // Names, groups, materials, levels of detail, and what belongs to curves and surfaces.
         static const std::vector<std::string> without_shape{
             "g",      "s",        "o",        "mg",   "usemap",     "maplib",   "bevel",
@@ -193,7 +207,8 @@ class Parser {
     }
 
     TextLines lines_;
-    std::size_t line_ = 0; // where the statement begins
+    std::size_t line_ = 0;           // where the statement begins
+    const char* statement_ = "face"; // whose corners are read
     std::string_view rest_;
     std::array<double, most_numbers> numbers_{};
     std::string_view material_; // of the faces that follow
@@ -202,14 +217,14 @@ class Parser {
 };
 
 // Corners may name what follows later in the file, so that they are checked at its end.
-void check_indices(const Obj& obj) {
+void check_indices(const Obj& obj, const std::vector<Obj::Face>& statements, const char* name) {
     const std::array<std::size_t, 3> counts = obj.counts();
-    for (const Obj::Face& face : obj.faces)
-        for (const ObjCorner& corner : obj.corners_of(face))
+    for (const Obj::Face& statement : statements)
+        for (const ObjCorner& corner : obj.corners_of(statement))
             for (std::size_t k = 0; k < 3; ++k)
                 if (corner[k] != Obj::absent && std::size_t(corner[k]) >= counts[k])
-                    throw line_error(face.line,
-                                     fmt::format("a face names {} {} of {}", index_names[k],
+                    throw line_error(statement.line,
+                                     fmt::format("a {} names {} {} of {}", name, index_names[k],
                                                  corner[k] + 1, counts[k]));
 }
 
@@ -217,7 +232,8 @@ void check_indices(const Obj& obj) {
 
 Obj parse_obj(std::string_view bytes) {
     Obj obj = Parser(bytes).parse();
-    check_indices(obj);
+    check_indices(obj, obj.faces, "face");
+    check_indices(obj, obj.lines, "line");
     return obj;
 }
 

@@ -30,8 +30,9 @@ struct Obj {
     std::vector<Imath::V3d> positions; // finite
     std::vector<Vec2f> uvs;
     std::vector<Vec3> normals;
-    std::vector<ObjCorner> corners; // of all faces
+    std::vector<ObjCorner> corners; // of all faces and lines
     std::vector<Face> faces;
+    std::vector<Face> lines;             // of two corners or more, without material
     std::vector<std::string> libraries;  // what stands behind each mtllib
     std::vector<std::string> materials;  // the names that faces use; "" for none
     std::map<std::string, Tally> unread; // "lines", with the lines where they stand

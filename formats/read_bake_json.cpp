@@ -105,6 +105,60 @@ Instance read_instance(const Located& in, std::size_t prototypes) {
     return instance;
 }
 
+void read_strand(const Located& in, Strands& strands) {
+    const Located points = in.at("points");
+    const Located radius = in.at("radius");
+    const std::size_t least = strands.piece_points();
+    points.expect(points.list_size() >= least,
+                  fmt::format("a list of at least {} points", least).c_str());
+    radius.expect(radius.list_size() == points.json.size(), "one number for each point");
+    for (std::size_t i = 0; i < points.json.size(); ++i) {
+        const Located point = points.at(i);
+        point.expect(point.json.is_array() && point.json.size() == 3, "a point [x, y, z]");
+        Vec3& p = strands.points.emplace_back();
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            p[static_cast<int>(axis)] = static_cast<float>(point.at(axis).number());
+        const Located r = radius.at(i);
+        r.expect(r.number() >= 0, "a number that is not below 0");
+        strands.radii.push_back(static_cast<float>(r.number()));
+    }
+    strands.offsets.push_back(static_cast<std::uint32_t>(strands.points.size()));
+}
+
+CurveKind curve_of(const Located& prototype) {
+    if (!prototype.has("curve"))
+        return CurveKind::linear;
+    const Located curve = prototype.at("curve");
+    const std::string kind = curve.text();
+    curve.expect(kind == "linear" || kind == "bspline", "\"linear\" or \"bspline\"");
+    return kind == "linear" ? CurveKind::linear : CurveKind::bspline;
+}
+
+void read_strands(const Located& list, const Located& prototypes, Aggregate& aggregate) {
+    std::vector<std::shared_ptr<Strands>> of_prototype(aggregate.prototypes.size());
+    for (std::size_t i = 0; i < list.list_size(); ++i) {
+        const Located strand = list.at(i);
+        const std::size_t number =
+            strand.has("prototype")
+                ? strand.at("prototype").whole(of_prototype.size(), "the index of a prototype")
+                : 0;
+        strand.expect(number < of_prototype.size(), "a strand of one of the prototypes");
+        std::shared_ptr<Strands>& strands = of_prototype[number];
+        if (strands == nullptr) {
+            strands = std::make_shared<Strands>();
+            strands->name = aggregate.prototypes[number].name;
+            strands->kind = curve_of(prototypes.at(number));
+            strands->offsets.push_back(0);
+        }
+        read_strand(strand, *strands);
+    }
+    for (std::uint32_t i = 0; i < of_prototype.size(); ++i)
+        if (of_prototype[i] != nullptr) {
+            aggregate.prototypes[i].shape = std::shared_ptr<const Strands>(of_prototype[i]);
+            aggregate.instances.push_back({.prototype = i, .world_from_object = {}});
+        }
+}
+
 Aggregate read_aggregate(const Located& in) {
     Aggregate aggregate;
     aggregate.generator = in.at("generator").text();
@@ -133,6 +187,10 @@ Aggregate read_aggregate(const Located& in) {
         if (prototype.has("outline"))
             out.outline = read_region(prototype.at("outline"));
     }
+    if (in.has("strands"))
+        read_strands(in.at("strands"), prototypes, aggregate);
+    if (in.has("strands") && !in.has("instances"))
+        return aggregate;
     const Located instances = in.at("instances");
     for (std::size_t i = 0; i < instances.list_size(); ++i)
         aggregate.instances.push_back(read_instance(instances.at(i), aggregate.prototypes.size()));

@@ -13,8 +13,9 @@ namespace scree {
 bool is_bake_json(std::string_view text);
 
 /// Reads the aggregates of a baked file (docs/formats.md). Regions and domains have rings but no
-/// triangles; prototypes have no mesh. Throws Error (input) naming the file and the key for invalid
-/// JSON, missing keys, wrong types, numbers out of range and invalid prototype indices.
+/// triangles; prototypes have no mesh. A prototype of strands has those of all its instances, in
+/// the world, and one instance where it stands. Throws Error (input) naming the file and the key
+/// for invalid JSON, missing keys, wrong types, numbers out of range and invalid prototype indices.
 std::vector<Aggregate> read_bake_json(const std::string& text, const std::string& path);
 
 } // namespace scree

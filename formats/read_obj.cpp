@@ -82,8 +82,11 @@ class Builder {
 
 FileMesh read_obj(std::string_view bytes, const std::string& folder) {
     const Obj obj = parse_obj(bytes);
+    std::map<std::string, Tally> all_unread = obj.unread;
+    for (const Obj::Face& line : obj.lines)
+        all_unread["lines"].add(line.line);
     std::string unread;
-    for (const auto& [what, tally] : obj.unread)
+    for (const auto& [what, tally] : all_unread)
         unread += fmt::format("{}{} ({})", unread.empty() ? "not read: " : ", ", what,
                               tally.text("line"));
     if (obj.faces.empty())

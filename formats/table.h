@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of formats that scenes are written to, and the meshes that scenes read from files.
+// The table of formats that scenes are written to, and the shapes that scenes read from files.
 #pragma once
 
 #include "core/registry.h"
 #include "geometry/mesh/mesh.h"
+#include "geometry/mesh/strands.h"
 #include "model/scene.h"
 
 #include <functional>
@@ -13,6 +14,10 @@ namespace scree {
 /// mesh.file: a mesh read from OBJ, PLY, STL, glTF or 3DS. Errors (missing or corrupt file, an open
 /// mesh where a closed one is required, NaN positions) are located at the script's line.
 Registry<Mesh(const Params& params)> mesh_file_table();
+
+/// curve.file: strands read from the lines of an OBJ file or from a baked JSON file. Errors are
+/// located at the script's line.
+Registry<Strands(const Params& params)> curve_file_table();
 
 /// Which part of a scene a format holds, and its writer is given.
 enum class Holds {

@@ -3,7 +3,10 @@
 
 #include "core/version.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <charconv>
 
 namespace scree {
 
@@ -41,9 +44,10 @@ Json matrix_json(const WideMatrix& m) {
 
 Json prototype_json(const Prototype& prototype) {
     Json out{{"name", prototype.name}};
-    if (const Strands* strands = prototype.strands())
+    if (const Strands* strands = prototype.strands()) {
         out["strands"] = strands->count();
-    else
+        out["curve"] = strands->kind == CurveKind::linear ? "linear" : "bspline";
+    } else
         out["triangles"] = prototype.mesh() != nullptr ? prototype.mesh()->triangles.size() : 0;
     if (prototype.region)
         out["region"] = rings_json(*prototype.region);
@@ -59,6 +63,53 @@ Json instance_json(const Instance& instance) {
             {"angle", degrees(instance.angle)},
             {"scale", instance.scale},
             {"matrix", matrix_json(m)}};
+}
+
+// The shortest decimal that is read back as the same float.
+double shortest(float value) {
+    const std::string text = fmt::format("{}", value);
+    double out = 0;
+    std::from_chars(text.data(), text.data() + text.size(), out);
+    return out;
+}
+
+// The strands of an instance, in the world.
+void add_strands(Json& list, const Instance& instance, const Strands& strands) {
+    const WideMatrix& m = instance.world_from_object;
+    const double volume =
+        WideVec3(m[0][0], m[0][1], m[0][2])
+            .dot(WideVec3(m[1][0], m[1][1], m[1][2]).cross(WideVec3(m[2][0], m[2][1], m[2][2])));
+    const auto scale = static_cast<float>(std::cbrt(std::abs(volume)));
+    for (std::size_t strand = 0; strand < strands.count(); ++strand) {
+        Json points = Json::array();
+        Json radius = Json::array();
+        for (std::size_t i = strands.offsets[strand]; i < strands.offsets[strand + 1]; ++i) {
+            const Vec3 p = transform_point(m, strands.points[i]);
+            points.push_back({shortest(p.x), shortest(p.y), shortest(p.z)});
+            radius.push_back(shortest(strands.radii[i] * scale));
+        }
+        list.push_back({{"prototype", instance.prototype},
+                        {"points", std::move(points)},
+                        {"radius", std::move(radius)}});
+    }
+}
+
+// Strands are written one by one, everything else as instances.
+void add_instances(Json& out, const Aggregate& aggregate) {
+    out["instances"] = Json::array();
+    Json strands = Json::array();
+    for (const Instance& instance : aggregate.instances) {
+        const Prototype& prototype = aggregate.prototypes[instance.prototype];
+        if (prototype.strands() != nullptr)
+            add_strands(strands, instance, *prototype.strands());
+        else
+            out["instances"].push_back(instance_json(instance));
+    }
+    if (strands.empty())
+        return;
+    if (out["instances"].empty())
+        out.erase("instances");
+    out["strands"] = std::move(strands);
 }
 
 Json aggregate_json(const Aggregate& aggregate) {
@@ -77,9 +128,7 @@ Json aggregate_json(const Aggregate& aggregate) {
     out["prototypes"] = Json::array();
     for (const Prototype& prototype : aggregate.prototypes)
         out["prototypes"].push_back(prototype_json(prototype));
-    out["instances"] = Json::array();
-    for (const Instance& instance : aggregate.instances)
-        out["instances"].push_back(instance_json(instance));
+    add_instances(out, aggregate);
     return out;
 }
 

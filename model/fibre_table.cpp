@@ -43,23 +43,24 @@ std::vector<ParamSpec> fibre_params() {
     ParamSpec color = paint_spec({}, "Colour of a thick bunch of fibres.");
     color.fallback = {};
     color.optional = true;
-    return {
-        {.name = "preset",
-         .type = ParamType::choice,
-         .doc = "Gives the colour, roughness, index of refraction and tilt that are not given.",
-         .fallback = std::string("hair"),
-         .choices = names},
-        color,
-        palette_spec(),
-        {.name = "absorption",
-         .type = ParamType::color,
-         .doc = "Absorption coefficient inside, each part at least 0, in place of color.",
-         .unit = "1/radius",
-         .optional = true},
-        optional_number_spec("beta_m", "Roughness along the fibre.", "", 0.05, 1),
-        optional_number_spec("beta_n", "Roughness around the fibre.", "", 0.05, 1),
-        optional_number_spec("eta", "Index of refraction relative to air.", "", 1.01, 2),
-        optional_number_spec("tilt", "Of the fibre's scales, towards the root.", "deg", -10, 10)};
+    return {{.name = "preset",
+             .type = ParamType::choice,
+             .doc = "Gives the colour, roughness, index of refraction and tilt that are not given.",
+             .fallback = std::string("hair"),
+             .choices = names},
+            color,
+            palette_spec(),
+            {.name = "absorption",
+             .type = ParamType::color,
+             .doc = "Absorption coefficient inside, each part at least 0, in place of color.",
+             .unit = "1/radius",
+             .optional = true},
+            optional_number_spec("beta_m", "Roughness along the fibre.", "", 0.05, 1),
+            optional_number_spec("beta_n", "Roughness around the fibre.", "", 0.05, 1),
+            optional_number_spec("eta", "Index of refraction relative to air.", "", 1.01, 2),
+            optional_number_spec(
+                "tilt", "By which the normals of the fibre's scales lean towards the root.", "deg",
+                -10, 10)};
 }
 
 Paint fibre_paint(const Params& params, const FibrePreset& preset, float beta_n) {

@@ -144,8 +144,7 @@ ParamSpec shape_material_spec(const std::string& doc) {
 Materials materials_of(const Params& params, const Mesh* shape) {
     if (auto material = params.object<Material>("material")) {
         if (shape != nullptr && std::holds_alternative<Fibre>(*material))
-            throw params.error("material",
-                               shape->name + " is a mesh; material.fibre is for curves",
+            throw params.error("material", shape->name + " is a mesh; material.fibre is for curves",
                                "shape = curve.polyline { ... } or another curve.*");
         return {std::move(material)};
     }

@@ -17,16 +17,19 @@ ParamSpec name_spec() {
 
 std::vector<ParamSpec> object_params() {
     return {
-        {.name = "shape", .type = ParamType::object, .families = {"mesh"}, .doc = "Its mesh."},
+        {.name = "shape",
+         .type = ParamType::object,
+         .families = {"mesh", "curve"},
+         .doc = "Its mesh, or its strands."},
         shape_material_spec("Its material"),
         {.name = "position",
          .type = ParamType::point3,
-         .doc = "Position of the mesh's origin.",
+         .doc = "Position of the shape's origin.",
          .unit = "m",
          .fallback = WideVec3(0)},
         {.name = "rotation",
          .type = ParamType::vector3,
-         .doc = "Rotation about the x axis, then y, then z, each through the mesh's origin.",
+         .doc = "Rotation about the x axis, then y, then z, each through the shape's origin.",
          .unit = "deg",
          .fallback = Vec3(0.0F)},
         {.name = "scale",
@@ -57,12 +60,19 @@ WideMatrix object_matrix(const Params& params) {
     return WideMatrix(scale * about_x * about_y * about_z) * move;
 }
 
+Prototype prototype_of(const Params& params) {
+    if (const auto strands = params.object<Strands>("shape"))
+        return {
+            .name = strands->name, .shape = strands, .materials = materials_of(params, nullptr)};
+    const auto mesh = params.object<Mesh>("shape");
+    return {.name = mesh->name, .shape = mesh, .materials = materials_of(params, mesh.get())};
+}
+
 SceneItem object_item(const Params& params) {
     Aggregate object;
     object.generator = "object";
     object.name = params.text("name");
-    const auto mesh = params.object<Mesh>("shape");
-    object.prototypes.push_back({mesh->name, mesh, nullptr, materials_of(params, mesh.get())});
+    object.prototypes.push_back(prototype_of(params));
     Instance instance;
     instance.world_from_object = object_matrix(params);
     object.instances.push_back(instance);
@@ -80,7 +90,7 @@ SceneItem object_item(const Params& params) {
 
 Registry<MakeItem> object_table() {
     Registry<MakeItem> table("object");
-    table.add({"object", "A single mesh.", object_params(), object_item});
+    table.add({"object", "A single shape.", object_params(), object_item});
     return table;
 }
 

@@ -17,6 +17,8 @@ Catalog standard_catalog() {
     catalog.add(material_table());
     catalog.add(component_table());
     catalog.add(mesh_file_table());
+    catalog.add(curve_table());
+    catalog.add(curve_file_table());
     catalog.add(region_table());
     catalog.add(field_table());
     catalog.add(generator_items(generator_table()));

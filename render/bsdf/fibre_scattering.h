@@ -151,11 +151,12 @@ class Scattering {
         return (parallel * parallel + perpendicular * perpendicular) / 2;
     }
 
-    // The scales of a hair tilt its surface, so light is reflected as if seen from elsewhere.
+    // The scales of a hair lean its normals towards the root, so that light is reflected as if seen
+    // from further towards the tip.
     Slope<Real> tilted(int p, const Slope<Real>& seen) const {
         const Slope<Real>& by = tilt_[p];
-        return {seen.sine * by.cosine - seen.cosine * by.sine,
-                std::abs(seen.cosine * by.cosine + seen.sine * by.sine)};
+        return {seen.sine * by.cosine + seen.cosine * by.sine,
+                std::abs(seen.cosine * by.cosine - seen.sine * by.sine)};
     }
 
     // The azimuth at which the light of a path leaves a smooth fibre, from the normal where it

@@ -54,7 +54,11 @@ class Checker {
         case ParamType::range:
             return range();
         case ParamType::points:
-            return points();
+            return items<Vec2>(ParamType::vector2);
+        case ParamType::points3:
+            return items<Vec3>(ParamType::vector3);
+        case ParamType::numbers:
+            return one_or_more();
         case ParamType::field:
             return constant_field();
         default:
@@ -215,32 +219,43 @@ class Checker {
         return Range{to_internal(n[0]), to_internal(n[1])};
     }
 
-    Value points() {
+    // A list of values of one type T, each checked as a parameter of this type.
+    template <class T>
+    Value items(ParamType type) {
         const auto* list = given_.value.kind.empty()
                                ? std::get_if<Description::List>(&given_.value.data)
                                : nullptr;
         if (list == nullptr)
             return wrong_type();
-        std::vector<Vec2> out;
-        const ParamSpec point{.name = spec_.name,
-                              .type = ParamType::vector2,
-                              .unit = spec_.unit,
-                              .min = spec_.min,
-                              .max = spec_.max,
-                              .above_min = spec_.above_min};
+        std::vector<T> out;
+        out.reserve(list->size());
+        const ParamSpec each{.name = spec_.name,
+                             .type = type,
+                             .unit = spec_.unit,
+                             .min = spec_.min,
+                             .max = spec_.max,
+                             .above_min = spec_.above_min};
         for (std::size_t i = 0; i < list->size(); ++i) {
             const Description::Item& item = (*list)[i];
             const Given one{*item.value,
                             {given_.value.where.file, item.line},
                             fmt::format("{}[{}]", given_.path, i + 1)};
-            const Value value = Checker(one, point, mistakes_).check();
-            if (const auto* vector = std::get_if<Vec2>(&value))
-                out.push_back(*vector);
+            const Value value = Checker(one, each, mistakes_).check();
+            if (const auto* known = std::get_if<T>(&value))
+                out.push_back(*known);
         }
         if (spec_.min_items && list->size() < *spec_.min_items)
             return mistake(
                 fmt::format("expected at least {} points, got {}", *spec_.min_items, list->size()));
         return out.size() == list->size() ? Value(std::move(out)) : Value();
+    }
+
+    Value one_or_more() {
+        if (!as_number(given_.value))
+            return items<double>(ParamType::number);
+        const Value one = scalar();
+        const auto* number = std::get_if<double>(&one);
+        return number == nullptr ? Value() : Value(std::vector<double>{*number});
     }
 
     const Given& given_;

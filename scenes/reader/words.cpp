@@ -97,6 +97,10 @@ std::string type_in_words(const ParamSpec& spec) {
         return "{low, high} or a number";
     case ParamType::points:
         return "a list of {x, z}";
+    case ParamType::points3:
+        return "a list of {x, y, z}";
+    case ParamType::numbers:
+        return "a number or a list of numbers";
     case ParamType::function:
         return "a function(x, z)";
     case ParamType::object:

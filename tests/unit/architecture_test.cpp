@@ -101,6 +101,7 @@ Rules house_rules() {
         {"geometry/rock", {"core", "geometry/mesh"}},
         {"model", {"core", "geometry/"}},
         {"shapes", {"core", "geometry/"}},
+        {"shapes/curve", {"core", "geometry/", "shapes"}},
         {"shapes/mesh", {"core", "geometry/", "shapes"}},
         {"shapes/region", {"core", "geometry/", "shapes"}},
         {"shapes/field", {"core", "geometry/", "shapes"}},

@@ -58,14 +58,65 @@ std::string message(const std::string& text) {
     return "no error";
 }
 
-TEST(BakeJson, CountsTheStrandsOfAPrototype) {
+// A strand of two points and one of three, twice as large as its prototype.
+Aggregate two_strands(CurveKind kind) {
     auto strands = std::make_shared<Strands>();
-    strands->offsets = {0, 2, 5};
+    strands->offsets = {0, 4, 9};
+    strands->kind = kind;
+    for (int i = 0; i < 9; ++i) {
+        strands->points.emplace_back(0.1F * static_cast<float>(i), 0.3F, -1.7F);
+        strands->radii.push_back(0.001F * static_cast<float>(1 + i));
+    }
     Aggregate aggregate;
+    aggregate.generator = "fibres";
     aggregate.prototypes.push_back({.name = "hair", .shape = strands});
-    const std::string text = bake_json({&aggregate, 1}, {"s.lua", 7});
-    EXPECT_NE(text.find("\"strands\": 2"), std::string::npos) << text;
+    Instance& instance = aggregate.instances.emplace_back();
+    instance.world_from_object.setScale(2.0);
+    return aggregate;
+}
+
+TEST(BakeJson, HoldsStrandsInPlaceOfInstances) {
+    const Aggregate written = two_strands(CurveKind::linear);
+    const std::string text = bake_json({&written, 1}, {"s.lua", 7});
+    EXPECT_NE(text.find("\"strands\": 2,"), std::string::npos) << text;
     EXPECT_EQ(text.find("triangles"), std::string::npos);
+    EXPECT_EQ(text.find("instances"), std::string::npos);
+    EXPECT_NE(text.find("-3.4\n"), std::string::npos) << "as short as a float can be";
+}
+
+TEST(ReadBakeJson, GivesBackStrands) {
+    for (const CurveKind kind : {CurveKind::linear, CurveKind::bspline}) {
+        const Aggregate written = two_strands(kind);
+        const std::vector<Aggregate> all = read(bake_json({&written, 1}, {"s.lua", 7}));
+        ASSERT_EQ(all.size(), 1U);
+        const Strands& before = *written.prototypes[0].strands();
+        const Strands& after = *all[0].prototypes[0].strands();
+        EXPECT_EQ(after.name, "hair");
+        EXPECT_EQ(after.kind, kind);
+        EXPECT_EQ(after.offsets, before.offsets);
+        for (std::size_t i = 0; i < before.points.size(); ++i) {
+            EXPECT_EQ(after.points[i], before.points[i] * 2.0F);
+            EXPECT_EQ(after.radii[i], before.radii[i] * 2.0F);
+        }
+        ASSERT_EQ(all[0].instances.size(), 1U);
+        EXPECT_EQ(all[0].instances[0].world_from_object, WideMatrix());
+    }
+}
+
+TEST(ReadBakeJson, ErrorsInStrands) {
+    const std::string head = "{\"aggregates\": [{\"generator\": \"fibres\", \"prototypes\": "
+                             "[{\"name\": \"hair\", \"curve\": \"bspline\"}], \"strands\": [";
+    const std::string points = "\"points\": [[0,0,0],[1,0,0],[2,0,0],[3,0,0]]";
+    const std::string at = "a.json: aggregates[0].strands[0]";
+    EXPECT_EQ(message(head + "{" + points + ", \"radius\": [1,1,1,1]}]}]}"), "no error");
+    EXPECT_EQ(message(head + "{" + points + ", \"radius\": [1,1,1]}]}]}"),
+              at + ".radius: expected one number for each point, got array of 3");
+    EXPECT_EQ(message(head + "{" + points + ", \"radius\": [1,1,-1,1]}]}]}"),
+              at + ".radius[2]: expected a number that is not below 0, got -1");
+    EXPECT_EQ(message(head + "{\"points\": [[0,0,0],[1,0,0]], \"radius\": [1,1]}]}]}"),
+              at + ".points: expected a list of at least 4 points, got array of 2");
+    EXPECT_EQ(message(head + "{\"prototype\": 1, " + points + ", \"radius\": [1,1,1,1]}]}]}"),
+              at + ".prototype: expected the index of a prototype, got 1");
 }
 
 TEST(ReadBakeJson, GivesBackWhatWasWritten) {

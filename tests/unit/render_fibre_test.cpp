@@ -184,6 +184,19 @@ TEST(Fibre, PathsAreThoseOfASmoothCylinder) {
                 }
 }
 
+// By where the mirror image of a level view is in a surface whose normal leans by the tilt.
+TEST(Fibre, ScalesMoveTheHighlightToTheRoot) {
+    const double tilt = radians(3);
+    const fibre::Scattering<double> scattering(0.1, 0.3, 1.55, tilt);
+    const fibre::Slope<double> level{0, 1};
+    const auto at = [&](int p, double slope) {
+        return scattering.along(p, level, {std::sin(slope), std::cos(slope)});
+    };
+    EXPECT_GT(at(0, -2 * tilt), at(0, -tilt));
+    EXPECT_GT(at(0, -2 * tilt), at(0, -3 * tilt));
+    EXPECT_GT(at(2, 2 * tilt), 5 * at(2, -6 * tilt)) << "TRT goes the other way";
+}
+
 TEST(Fibre, ColorAndAbsorptionAreInverse) {
     for (const float beta_n : {0.05F, 0.3F, 0.7F, 1.0F})
         for (const float c : {0.02F, 0.3F, 0.9F, 1.0F}) {
