@@ -56,6 +56,10 @@ enum class Purpose : std::uint32_t {
     rock_place = 83,
     rock_cell = 84,
     rock_tile = 85,
+    fibre_shape = 90,
+    fibre_place = 91,
+    fibre_root = 92,
+    fibre_attribute = 93,
 };
 
 /// A stream of uniform random numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et

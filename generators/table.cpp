@@ -2,6 +2,7 @@
 #include "generators/table.h"
 
 #include "generators/elements/elements_generator.h"
+#include "generators/fibres/fibres_generator.h"
 #include "generators/layout/layout_generator.h"
 #include "generators/leather/leather_generator.h"
 #include "generators/pile/pile_generator.h"
@@ -16,6 +17,7 @@ Registry<Generator> generator_table() {
     table.add(leather_plugin());
     table.add(pile_plugin());
     table.add(rocks_plugin());
+    table.add(fibres_plugin());
     return table;
 }
 

@@ -76,6 +76,11 @@ NearestSurface::Point NearestSurface::point_on(std::uint32_t triangle, const Ima
 }
 
 NearestSurface::Point NearestSurface::nearest(const Imath::V3d& p) const {
+    return *nearest_within(p, std::numeric_limits<float>::infinity());
+}
+
+std::optional<NearestSurface::Point> NearestSurface::nearest_within(const Imath::V3d& p,
+                                                                    float most) const {
     const Vec3 from(p);
     struct Open {
         std::uint32_t node;
@@ -84,8 +89,8 @@ NearestSurface::Point NearestSurface::nearest(const Imath::V3d& p) const {
     std::array<Open, 64> open; // one a level, and the tree is balanced
     std::size_t count = 0;
     open[count++] = {0, distance2(nodes_[0].box, from)};
-    float least = std::numeric_limits<float>::max();
-    std::uint32_t triangle = 0;
+    float least = most * most;
+    std::optional<std::uint32_t> triangle;
     Vec3 at;
     while (count > 0) {
         const Open next = open[--count];
@@ -109,7 +114,9 @@ NearestSurface::Point NearestSurface::nearest(const Imath::V3d& p) const {
         open[count++] = far;
         open[count++] = near;
     }
-    return point_on(triangle, p, at);
+    if (!triangle)
+        return {};
+    return point_on(*triangle, p, at);
 }
 
 } // namespace scree

@@ -4,6 +4,7 @@
 #include "geometry/mesh/mesh.h"
 #include "geometry/mesh/triangle_distance.h"
 
+#include <optional>
 #include <vector>
 
 namespace scree {
@@ -22,6 +23,9 @@ class NearestSurface {
     explicit NearestSurface(const Mesh& mesh);
 
     Point nearest(const Imath::V3d& p) const;
+
+    /// The same, or nothing if no point of the mesh is within `most` [m]; the fewer, the faster.
+    std::optional<Point> nearest_within(const Imath::V3d& p, float most) const;
 
   private:
     struct Node {
