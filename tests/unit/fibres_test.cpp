@@ -124,6 +124,69 @@ TEST(Fibres, PointEverywhereAndLieInTheTarget) {
     EXPECT_NEAR(inner, 2000, 4 * std::sqrt(1000.0));
 }
 
+TEST(Fibres, BecomeSplinesThroughEveryThirdVertex) {
+    FibreValues values = grown();
+    values["count"] = std::int64_t{50};
+    values["theta"] = in_degrees(2, 2); // a gentle arc, close to any smooth curve through it
+    values["taper"] = 0.5;
+    const auto chains = bake(values);
+    values["curve"] = std::string("bspline");
+    const Aggregate aggregate = bake_fibres(values);
+    const auto splines = strands_of(aggregate);
+    EXPECT_EQ(splines->kind, CurveKind::bspline);
+    ASSERT_EQ(splines->points.size(), 50U * 14);             // 11 pieces
+    EXPECT_LE(tests::fact(aggregate, "curve_excess"), 0.15); // by the last piece, of two segments
+    for (std::size_t f = 0; f < 50; ++f)
+        for (std::size_t i = 0; i <= 11; ++i) {
+            const auto control = tests::strand(*splines, f).subspan(i, 3);
+            const Vec3 on_curve = (control[0] + control[1] * 4.0F + control[2]) / 6.0F;
+            const std::size_t v = std::min<std::size_t>(3 * i, 32);
+            EXPECT_LT((on_curve - tests::strand(*chains, f)[v]).length(), 1e-5F);
+            const float* radii = &splines->radii[f * 14 + i];
+            EXPECT_NEAR((radii[0] + 4 * radii[1] + radii[2]) / 6, chains->radii[v], 1e-7F);
+        }
+    values["segments"] = std::int64_t{30};
+    EXPECT_LE(tests::fact(bake_fibres(values), "curve_excess"), 0.05);
+}
+
+TEST(Fibres, FollowAFlow) {
+    FibreValues values = grown();
+    const auto angle = [](double heading) {
+        return SharedObject(std::shared_ptr<const Field>(std::make_shared<ConstantField>(heading)));
+    };
+    const auto along = [](const Strands& strands) { // mean cosine to +z
+        double sum = 0;
+        for (std::size_t f = 0; f < strands.count(); ++f) {
+            const auto points = tests::strand(strands, f);
+            sum += double((points.back() - points.front()).normalized().z);
+        }
+        return sum / double(strands.count());
+    };
+    EXPECT_NEAR(along(*bake(values)), 0, 0.1);
+    values["flow"] = angle(90);
+    values["flow_strength"] = 0.3;
+    EXPECT_GT(along(*bake(values)), 0.9);
+    values["flow_strength"] = 1.0;
+    EXPECT_GT(along(*bake(values)), 0.99);
+}
+
+TEST(Fibres, BeginOnRootsAlongTheNormal) {
+    const Aggregate hair = bake_fibres({{"roots", tests::ball_target(1)},
+                                        {"count", std::int64_t{300}},
+                                        {"length", Range{0.3, 0.3}},
+                                        {"segments", std::int64_t{12}}});
+    const auto strands = strands_of(hair);
+    EXPECT_GT(tests::fact(hair, "root_spacing"), 20);
+    EXPECT_LE(tests::fact(hair, "deepest"), 0.05);
+    EXPECT_LE(tests::fact(hair, "outside"), 0.05);
+    for (std::size_t f = 0; f < 300; ++f) {
+        const auto points = tests::strand(*strands, f);
+        const Vec3 out = points[0] - Vec3(0, 1, 0);
+        EXPECT_NEAR(out.length(), 1, 4e-3F); // of a sphere with facets
+        EXPECT_GT((points[1] - points[0]).normalized().dot(out), 0.99F);
+    }
+}
+
 TEST(Fibres, EachHasAStreamOfItsOwn) {
     FibreValues values = grown();
     const auto many = bake(values);

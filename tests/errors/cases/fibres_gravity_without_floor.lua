@@ -1,0 +1,8 @@
+return scene {
+  objects = {
+    generator.fibres {
+      target = mesh.sphere { radius = 0.1 },
+      gravity = true,
+    },
+  },
+}

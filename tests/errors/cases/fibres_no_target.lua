@@ -1,0 +1,7 @@
+return scene {
+  objects = {
+    generator.fibres {
+      count = 10,
+    },
+  },
+}

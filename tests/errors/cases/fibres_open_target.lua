@@ -1,0 +1,7 @@
+return scene {
+  objects = {
+    generator.fibres {
+      target = mesh.plane { size = 1 },
+    },
+  },
+}

@@ -1,0 +1,8 @@
+return scene {
+  objects = {
+    generator.fibres {
+      target = mesh.sphere { radius = 0.1 },
+      length = 0.1, radius = 0.02,
+    },
+  },
+}
