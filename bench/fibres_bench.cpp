@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Benchmarks of generator.fibres: Tables 5.2, 5.4 and 5.5 of Sakurai 2013 beside the figures in
+// print, what contact leaves, growth with the number of fibres, and memory.
+#include "bench/measure.h"
+#include "bench/tables.h"
+#include "core/parallel.h"
+#include "formats/read_mesh.h"
+#include "generators/table.h"
+#include "tests/support/plugin_params.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <map>
+
+namespace {
+
+using namespace scree;
+
+using Values = std::map<std::string, Value>;
+
+/// The bunny, `size` [m] along its longest side; the thesis's lengths are tenths of it.
+Value bunny(double size) {
+    Mesh mesh = read_mesh("/usr/share/glmark2/models/bunny.obj");
+    normalise_size(mesh, size);
+    return SharedObject(std::make_shared<const Mesh>(std::move(mesh)));
+}
+
+/// One bake as C++ on the host.
+struct Run {
+    std::map<std::string, double> facts;
+    double cpu = 0; // [s]
+};
+
+Run bake(const Values& values) {
+    const Bake work = tests::make(generator_table(), "fibres", values);
+    Run run;
+    run.cpu = cpu_seconds_of([&] {
+        for (const auto& [name, value] : work({}).facts)
+            run.facts[name] = value;
+    });
+    return run;
+}
+
+Range in_degrees(double low, double high) { return {radians(low), radians(high)}; }
+
+struct Row {
+    const char* name;
+    Range theta, phi; // [deg]
+    double length;    // the bunny is 20 long
+    std::int64_t count;
+    int iterations; // in print
+    double seconds; // of an iteration on a GTX 570
+};
+
+constexpr Row rows[] = {{"5.2 a", {0, 0}, {0, 0}, 10, 2048, 35, 0.860},
+                        {"5.2 b", {0, 10.8}, {0, 0}, 10, 2048, 54, 0.860},
+                        {"5.2 c", {-10.8, 10.8}, {0, 0}, 10, 2048, 37, 0.860},
+                        {"5.2 d", {0, 10.8}, {0, 36}, 10, 2048, 31, 0.835},
+                        {"5.4 a", {0, 10.8}, {0, 36}, 20, 2048, 71, 0.863},
+                        {"5.4 b", {0, 10.8}, {0, 36}, 5, 2048, 17, 0.859},
+                        {"5.5 a", {0, 10.8}, {0, 36}, 10, 1024, 31, 0.444},
+                        {"5.5 b", {0, 10.8}, {0, 36}, 10, 512, 32, 0.209}};
+
+void print_tables() {
+    fmt::print("Adjustment in the bunny: iterations, seconds of an iteration, vertices outside\n");
+    fmt::print("{:>6} {:>9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>8} {:>9}\n", "table", "in print", "s",
+               "thesis", "s", "outside", "nearest", "s", "outside");
+    const Value target = bunny(2);
+    for (const Row& row : rows) {
+        fmt::print("{:>6} {:>9} {:>8.3f}", row.name, row.iterations, row.seconds);
+        for (const char* method : {"thesis", "nearest"}) {
+            const Run run = bake({{"target", target},
+                                  {"adjustment", std::string(method)},
+                                  {"theta", in_degrees(row.theta.low, row.theta.high)},
+                                  {"phi", in_degrees(row.phi.low, row.phi.high)},
+                                  {"length", Range{row.length / 10, row.length / 10}},
+                                  {"radius", 0.004},
+                                  {"count", row.count},
+                                  {"contact", false}});
+            const double iterations = run.facts.at("adjusting_iterations");
+            fmt::print(" {:>9} {:>8.4f} {:>9}", iterations,
+                       run.facts.at("adjusting_seconds") / std::max(1.0, iterations),
+                       run.facts.at("outside_adjusted"));
+        }
+        fmt::print("\n");
+    }
+}
+
+/// Contact at 6.4% of the bunny, whose volume grows with the number of fibres.
+void print_contact() {
+    fmt::print("Contact in the bunny, 6.4% filled; depths in radii\n");
+    fmt::print("{:>8} {:>10} {:>8} {:>8} {:>9} {:>8} {:>8} {:>12}\n", "fibres", "iterations",
+               "deepest", "outside", "length", "CPU s", "s", "us a fibre");
+    for (const std::int64_t count : {512, 2048, 8192, 32768}) {
+        const Run run = bake({{"target", bunny(2 * std::cbrt(double(count) / 2048))},
+                              {"length", Range{1, 1}},
+                              {"count", count}});
+        fmt::print("{:>8} {:>10} {:>8.4f} {:>8.4f} {:>9.1e} {:>8.2f} {:>8.2f} {:>12.0f}\n", count,
+                   run.facts.at("contact_iterations"), run.facts.at("deepest"),
+                   run.facts.at("outside"), run.facts.at("length_error"), run.cpu,
+                   run.facts.at("seconds"), 1e6 * run.facts.at("seconds") / double(count));
+    }
+}
+
+double peak_mib() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return double(usage.ru_maxrss) / 1024;
+}
+
+void print_memory() {
+    fmt::print("Peak memory, bytes of a vertex above what a bake of one fibre needs\n");
+    const Value target = bunny(2);
+    for (const bool contact : {false, true}) {
+        const auto at = [&](std::int64_t count) {
+            bake({{"target", target},
+                  {"count", count},
+                  {"radius", 0.0004},
+                  {"segments", std::int64_t{32}},
+                  {"max_iterations", std::int64_t{3}},
+                  {"contact", contact}});
+            return peak_mib();
+        };
+        const double before = at(1);
+        const std::int64_t count = contact ? 40000 : 200000;
+        fmt::print("  {:14} {:>8} fibres {:>8.1f}\n", contact ? "contact" : "without contact",
+                   count, (at(count) - before) * 1048576 / double(count * 33));
+    }
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    return bench::run_tables(count, arguments,
+                             {{"tables", "Tables 5.2, 5.4 and 5.5", print_tables},
+                              {"contact", "what contact leaves, by the number", print_contact},
+                              {"memory", "bytes of a vertex", print_memory}});
+}
