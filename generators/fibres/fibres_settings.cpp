@@ -14,7 +14,7 @@ namespace {
 
 constexpr double much_fill = 0.2; // loose fibres are hardly ever denser
 
-// Measured: what is held for a vertex at the peak of the work.
+// About what is held for a vertex at the peak of the work, by counting arrays.
 constexpr double bytes_of_vertex = 30;
 constexpr double bytes_of_vertex_in_contact = 200;
 
