@@ -11,7 +11,7 @@ return scene {
     generator.fibres {
       roots = bunny, count = arg("count", 20000), length = { 0.012, 0.02 }, segments = 12, radius = mm(0.06), taper = 0.2,
       theta = { -6, 6 }, flow = 0, flow_rise = -40, flow_strength = 0.12, seed = arg("seed", 1),
-      material = material.matte { color = srgb("#8a6b4a") },
+      material = material.fibre { preset = "hair", color = srgb("#8a6b4a") },
     },
   },
 }

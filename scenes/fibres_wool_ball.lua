@@ -10,7 +10,7 @@ return scene {
     generator.fibres {
       target = mesh.sphere { radius = 0.05 }, count = arg("count", 2048), length = 0.06, radius = mm(0.22),
       theta = { 7.2, 14.4 }, phi = { 7.2, 14.4 }, seed = arg("seed", 1),
-      material = material.matte { color = srgb("#d9c7a8") },
+      material = material.fibre { preset = "wool", color = srgb("#d9c7a8") },
     },
   },
 }
