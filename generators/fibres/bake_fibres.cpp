@@ -5,7 +5,7 @@
 #include "generators/fibres/contact.h"
 #include "generators/fibres/fibre_source.h"
 #include "generators/fibres/rest.h"
-#include "generators/fibres/spline.h"
+#include "geometry/mesh/strand_spline.h"
 #include "model/stage_times.h"
 
 #include <fmt/format.h>
@@ -169,26 +169,6 @@ std::shared_ptr<Strands> strands_of(Placed&& placed, const FibresSettings& setti
     return strands;
 }
 
-/// The strands as splines; returns how far off the chains these are [m].
-float make_splines(Strands& strands, const FibresSettings& settings) {
-    const std::size_t vertices = settings.shape.vertices();
-    const std::size_t n = spline_pieces(settings.shape.segments) + 3;
-    std::vector<Vec3> points(settings.count * n);
-    std::vector<float> radii(settings.count * n);
-    std::vector<float> excess(settings.count);
-    parallel_for(settings.count, 64, [&](std::size_t i) {
-        const Spline spline = spline_of({&strands.points[i * vertices], vertices}, settings.shape);
-        std::ranges::copy(spline.points, points.begin() + std::ptrdiff_t(i * n));
-        std::ranges::copy(spline.radii, radii.begin() + std::ptrdiff_t(i * n));
-        excess[i] = spline.excess;
-        strands.offsets[i + 1] = static_cast<std::uint32_t>((i + 1) * n);
-    });
-    strands.points = std::move(points);
-    strands.radii = std::move(radii);
-    strands.kind = CurveKind::bspline;
-    return *std::ranges::max_element(excess);
-}
-
 } // namespace
 
 Aggregate bake_fibres(const FibresSettings& settings, const Context& context) {
@@ -225,10 +205,12 @@ Aggregate bake_fibres(const FibresSettings& settings, const Context& context) {
         bend_apart(placed, settings, places, source, context, facts);
         stages.end("contact");
     }
-    const std::shared_ptr<Strands> strands = strands_of(std::move(placed), settings);
-    if (settings.spline)
-        facts.emplace_back("curve_excess",
-                           double(make_splines(*strands, settings)) / settings.shape.radius);
+    std::shared_ptr<Strands> strands = strands_of(std::move(placed), settings);
+    if (settings.spline) {
+        const auto splines = std::make_shared<Strands>(splined(*strands));
+        facts.emplace_back("curve_excess", spline_deviation(*strands, *splines));
+        strands = splines;
+    }
     aggregate.prototypes.push_back({.name = "fibres",
                                     .shape = std::shared_ptr<const Strands>(strands),
                                     .materials = settings.materials});

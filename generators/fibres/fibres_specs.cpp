@@ -150,7 +150,7 @@ std::vector<ParamSpec> fibres_specs() {
         specs.insert(specs.end(), part.begin(), part.end());
     specs.push_back(choice_spec("curve",
                                 "linear: cylinders, which are what contact is exact for; bspline: "
-                                "smooth curves through every third vertex.",
+                                "smooth curves, a piece for about three segments.",
                                 {"linear", "bspline"}, "linear"));
     specs.push_back(material_spec("Of all fibres"));
     specs.push_back({.name = "seed",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/mesh/strand_spline.h"
 
+#include "core/parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -56,10 +58,10 @@ std::vector<Knot> control_of(const std::vector<Knot>& q) {
     return c;
 }
 
-void append(Strands& strands, const Knot& control) {
-    strands.points.emplace_back(static_cast<float>(control[0]), static_cast<float>(control[1]),
-                                static_cast<float>(control[2]));
-    strands.radii.push_back(static_cast<float>(std::max(0.0, control[3])));
+void set(Strands& strands, std::size_t point, const Knot& control) {
+    strands.points[point] = Vec3(static_cast<float>(control[0]), static_cast<float>(control[1]),
+                                 static_cast<float>(control[2]));
+    strands.radii[point] = static_cast<float>(std::max(0.0, control[3]));
 }
 
 Knot knot_of(const Vec3& p, float radius) {
@@ -106,18 +108,14 @@ class Chain {
     std::size_t segments_;
 };
 
-void add_knots(Strands& strands, const std::vector<Knot>& knots) {
-    assert(knots.size() >= 2 && strands.kind == CurveKind::bspline);
-    if (strands.offsets.empty())
-        strands.offsets.push_back(0);
-    for (const Knot& point : control_of(knots))
-        append(strands, point);
-    strands.offsets.push_back(static_cast<std::uint32_t>(strands.points.size()));
+/// Pieces of the spline of a chain.
+std::size_t piece_count(std::size_t segments, int step) {
+    return (segments + std::size_t(step) - 1) / std::size_t(step);
 }
 
 double distance_to_piece(const Vec3* control, const Vec3& p) {
     // A piece bends little: the nearest of a few points, then of some between its neighbours.
-    constexpr int fine = 16;
+    constexpr int fine = 8;
     double low = 0;
     double high = 1;
     double nearest = std::numeric_limits<double>::infinity();
@@ -153,7 +151,15 @@ void add_spline(Strands& strands, std::span<const Vec3> points, std::span<const 
     std::vector<Knot> knots(points.size());
     for (std::size_t i = 0; i < knots.size(); ++i)
         knots[i] = knot_of(points[i], radii[i]);
-    add_knots(strands, knots);
+    assert(knots.size() >= 2 && strands.kind == CurveKind::bspline);
+    if (strands.offsets.empty())
+        strands.offsets.push_back(0);
+    for (const Knot& control : control_of(knots)) {
+        strands.points.emplace_back();
+        strands.radii.emplace_back();
+        set(strands, strands.points.size() - 1, control);
+    }
+    strands.offsets.push_back(static_cast<std::uint32_t>(strands.points.size()));
 }
 
 Strands splined(const Strands& chains, int step) {
@@ -163,30 +169,47 @@ Strands splined(const Strands& chains, int step) {
     out.kind = CurveKind::bspline;
     out.randoms = chains.randoms;
     out.normals = chains.normals;
-    std::vector<Knot> knots;
+    out.offsets.assign(1, 0);
     for (std::size_t strand = 0; strand < chains.count(); ++strand) {
+        const std::size_t segments = chains.offsets[strand + 1] - chains.offsets[strand] - 1;
+        out.offsets.push_back(out.offsets.back() +
+                              static_cast<std::uint32_t>(piece_count(segments, step) + 3));
+    }
+    out.points.resize(out.offsets.back());
+    out.radii.resize(out.offsets.back());
+    parallel_for(chains.count(), 64, [&](std::size_t strand) {
         const Chain chain(chains, strand);
-        const std::size_t pieces = (chain.segments() + std::size_t(step) - 1) / std::size_t(step);
-        knots.resize(pieces + 1);
+        const std::size_t pieces = piece_count(chain.segments(), step);
+        std::vector<Knot> knots(pieces + 1);
         for (std::size_t i = 0; i <= pieces; ++i)
             knots[i] = chain.at(double(i) * double(chain.segments()) / double(pieces));
-        add_knots(out, knots);
-    }
+        std::size_t point = out.offsets[strand];
+        for (const Knot& control : control_of(knots))
+            set(out, point++, control);
+    });
     return out;
 }
 
 double spline_deviation(const Strands& chains, const Strands& splines) {
     assert(chains.count() == splines.count());
-    double most = 0;
-    for (std::size_t strand = 0; strand < chains.count(); ++strand)
-        for (std::size_t i = chains.offsets[strand]; i < chains.offsets[strand + 1]; ++i) {
+    std::vector<double> most(chains.count(), 0.0); // of each strand
+    parallel_for(chains.count(), 64, [&](std::size_t strand) {
+        const std::size_t first = chains.offsets[strand];
+        const std::size_t segments = chains.offsets[strand + 1] - first - 1;
+        const std::size_t control = splines.offsets[strand];
+        const std::size_t pieces = splines.offsets[strand + 1] - control - 3;
+        for (std::size_t i = 0; i <= segments; ++i) {
+            // Beside the vertex are the piece at the same share of the length and its neighbours.
+            const std::size_t middle = std::min(i * pieces / segments, pieces - 1);
             double nearest = std::numeric_limits<double>::infinity();
-            for (std::size_t k = splines.offsets[strand]; k + 3 < splines.offsets[strand + 1]; ++k)
-                nearest =
-                    std::min(nearest, distance_to_piece(&splines.points[k], chains.points[i]));
-            most = std::max(most, nearest / double(chains.radii[i]));
+            for (std::size_t k = std::max<std::size_t>(middle, 1) - 1;
+                 k < std::min(middle + 2, pieces); ++k)
+                nearest = std::min(nearest, distance_to_piece(&splines.points[control + k],
+                                                              chains.points[first + i]));
+            most[strand] = std::max(most[strand], nearest / double(chains.radii[first + i]));
         }
-    return most;
+    });
+    return most.empty() ? 0 : *std::ranges::max_element(most);
 }
 
 } // namespace scree
