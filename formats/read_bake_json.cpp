@@ -94,10 +94,9 @@ Instance read_instance(const Located& in, std::size_t prototypes) {
         prototypes, fmt::format("the index of one of {} prototypes", prototypes).c_str()));
     const Located matrix = in.at("matrix");
     matrix.expect(matrix.json.is_array() && matrix.json.size() == 12, "12 numbers");
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column)
-            instance.world_from_object[column][row] =
-                matrix.at(std::size_t(4 * row + column)).number();
+    for (std::size_t i = 0; i < 12; ++i)
+        instance.world_from_object[static_cast<int>(i % 4)][static_cast<int>(i / 4)] =
+            matrix.at(i).number();
     if (in.has("angle"))
         instance.angle = radians(in.at("angle").number());
     if (in.has("scale"))

@@ -146,7 +146,7 @@ class Checker {
     }
 
     Value path() {
-        const Value text = plain<std::string>();
+        Value text = plain<std::string>();
         if (std::holds_alternative<std::monostate>(text))
             return text;
         const auto& name = std::get<std::string>(text);
