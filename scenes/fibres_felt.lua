@@ -9,7 +9,7 @@ return scene {
     pile.table_top(0.03, srgb("#c9c2b4")),
     generator.fibres {
       target = mesh.box { width = 0.05, height = 0.0022, depth = 0.04, rounding = 0.9 }, position = { 0, 0.0012, 0 },
-      count = arg("count", 9000), length = { 0.006, 0.012 }, segments = 16, radius = mm(0.03), theta = { -9, 12 }, phi = { -60, 60 },
+      count = arg("count", 6000), length = { 0.006, 0.012 }, segments = 16, radius = mm(0.036), theta = { -9, 12 }, phi = { -60, 60 },
       seed = arg("seed", 1), material = material.fibre { preset = "wool", color = srgb("#7d2f3a") },
     },
   },
