@@ -258,11 +258,10 @@ static inline float thesis_cost(Vertices target, global const float* shapes, int
     return sum;
 }
 
-// Marks the vertices of segments that are not wholly inside; returns how many vertices are outside.
+// Marks the vertices of segments that are not wholly inside, in `counted`, which begins without
+// marks; returns how many vertices are outside.
 static inline int count_outside(Vertices target, global const float* shapes, int vertices, Pose pose,
                                 uint* counted) {
-    for (int n = 0; n <= vertices / 32; ++n)
-        counted[n] = 0U;
     int outside = 0;
     for (int n = 0; n < vertices; ++n) {
         if (thesis_depth(target, plus(pose.centre, turned(pose, load3(shapes, n)))) >= 0.0f)
@@ -292,7 +291,7 @@ kernel void scree_adjust_thesis(global const float* shapes, int vertices, global
     target.inverse_cell = inverse_cell;
     global const float* mine = shapes + (ulong)fibre * (ulong)(3 * vertices);
     Pose pose = load_pose(poses + 8 * fibre);
-    uint counted[9]; // of up to 257 vertices
+    uint counted[9] = {0U}; // of up to 257 vertices
     outside[fibre] = count_outside(target, mine, vertices, pose, counted);
     if (outside[fibre] == 0)
         return;
