@@ -2,6 +2,7 @@
 // Data-parallel kernels: the only door to OpenCL.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -37,6 +38,17 @@ class Device {
 
     BufferHandle allocate(std::size_t bytes);
     void write(const BufferHandle& buffer, const void* data, std::size_t bytes);
+    /// A buffer with the elements of a vector or a span; for none a few bytes, since OpenCL has no
+    /// empty buffers.
+    template <class Elements>
+    BufferHandle upload(const Elements& elements) {
+        const auto bytes = std::as_bytes(std::span(elements));
+        BufferHandle buffer = allocate(std::max(bytes.size(), std::size_t{16}));
+        if (!bytes.empty())
+            write(buffer, bytes.data(), bytes.size());
+        return buffer;
+    }
+
     void read(const BufferHandle& buffer, void* data, std::size_t bytes);
 
     /// Runs `kernel` of `source` over a 1-D or 2-D range and waits. `source` is OpenCL C 1.2,

@@ -20,15 +20,6 @@ constexpr int most_thesis = 1000;
 constexpr double steady = 0.005;
 const float thesis_half_angle = static_cast<float>(radians(1));
 
-template <class T>
-Device::BufferHandle copied(Device& device, const std::vector<T>& values) {
-    const std::size_t bytes = std::max<std::size_t>(values.size() * sizeof(T), sizeof(T));
-    Device::BufferHandle buffer = device.allocate(bytes);
-    if (!values.empty())
-        device.write(buffer, values.data(), values.size() * sizeof(T));
-    return buffer;
-}
-
 float* numbers(std::vector<Pose>& poses) { return &poses.front().centre.x; }
 const float* numbers(const std::vector<Vec3>& points) { return &points.front().x; }
 
@@ -80,12 +71,12 @@ int adjust_nearest(RigidFibres& fibres, const SignedDistanceGrid& target, double
         });
     } else {
         Device& device = *context.device;
-        const auto poses = copied(device, fibres.poses);
-        const auto done = copied(device, iterations);
-        const Device::Argument arguments[] = {copied(device, fibres.local),
+        const auto poses = device.upload(fibres.poses);
+        const auto done = device.upload(iterations);
+        const Device::Argument arguments[] = {device.upload(fibres.local),
                                               vertices,
                                               poses,
-                                              copied(device, target.samples()),
+                                              device.upload(target.samples()),
                                               grid.count[0],
                                               grid.count[1],
                                               grid.count[2],
@@ -127,20 +118,20 @@ int adjust_thesis(RigidFibres& fibres, const NearestVertices& target,
             });
         });
     Device& device = *context.device;
-    const auto poses = copied(device, fibres.poses);
-    const auto counts = copied(device, outside);
-    const Device::Argument arguments[] = {copied(device, fibres.local),
+    const auto poses = device.upload(fibres.poses);
+    const auto counts = device.upload(outside);
+    const Device::Argument arguments[] = {device.upload(fibres.local),
                                           vertices,
                                           poses,
-                                          copied(device, target.surface),
-                                          copied(device, target.first),
-                                          copied(device, target.nearest),
+                                          device.upload(target.surface),
+                                          device.upload(target.first),
+                                          device.upload(target.nearest),
                                           NearestVertices::side,
                                           corner.x,
                                           corner.y,
                                           corner.z,
                                           inverse_cell,
-                                          copied(device, shift),
+                                          device.upload(shift),
                                           cosine,
                                           sine,
                                           counts};

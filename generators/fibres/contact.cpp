@@ -14,6 +14,13 @@ constexpr double slack = 0.75;          // [radii] of vertices between searches 
 constexpr float over_relaxation = 1.6F; // of the sum of moves over their weights
 constexpr int stiff_iterations = 50;
 
+/// The part of a slide along a surface that friction takes back, at most `most` [m] of it.
+Vec3 taken_back(Vec3 slide, const Vec3& normal, float most) {
+    slide -= normal * normal.dot(slide);
+    const float length = slide.length();
+    return length > most ? slide * (most / length) : slide;
+}
+
 } // namespace
 
 /// Sums of a fibre's moves, kept from fibre to fibre.
@@ -67,12 +74,9 @@ void ContactSolver::gather(std::size_t fibre, const std::vector<Vec3>* start, Mo
         Vec3 move = normal * (aim - distance);
         if (start != nullptr) {
             const auto slid = [&](std::size_t v) { return rods_.points[v] - (*start)[v]; };
-            Vec3 slip = slid(first + i) * (1 - near.s) + slid(first + i + 1) * near.s -
-                        slid(other) * (1 - near.t) - slid(other + 1) * near.t;
-            slip -= normal * normal.dot(slip);
-            const float length = slip.length();
-            const float most = friction_ * (aim - distance);
-            move -= length > most ? slip * (most / length) : slip;
+            move -= taken_back(slid(first + i) * (1 - near.s) + slid(first + i + 1) * near.s -
+                                   slid(other) * (1 - near.t) - slid(other + 1) * near.t,
+                               normal, friction_ * (aim - distance));
         }
         move /= norm;
         moves.sum[i] += move * w[0];
@@ -128,13 +132,8 @@ void ContactSolver::keep_to_bounds(std::size_t fibre, std::uint32_t v,
         if (stays)
             measure(excess);
         p -= excess.outward * excess.distance;
-        if (start == nullptr)
-            return;
-        Vec3 slip = p - (*start)[vertex];
-        slip -= excess.outward * excess.outward.dot(slip);
-        const float length = slip.length();
-        const float most = friction_ * excess.distance;
-        p -= length > most ? slip * (most / length) : slip;
+        if (start != nullptr)
+            p -= taken_back(p - (*start)[vertex], excess.outward, friction_ * excess.distance);
     });
 }
 

@@ -2,6 +2,7 @@
 #include "generators/fibres/fibres_settings.h"
 
 #include "core/physical_memory.h"
+#include "geometry/mesh/not_closed.h"
 #include "model/file_material.h"
 
 #include <fmt/format.h>
@@ -48,12 +49,7 @@ void check_target(const Params& params, const FibresSettings& settings) {
         throw params.error("target", "the mesh is empty");
     const MeshFacts facts = inspect(*settings.target);
     if (!facts.closed())
-        throw params.error(
-            "target",
-            fmt::format("the mesh is not closed: {} boundary edges, {} edges where triangles do "
-                        "not meet in twos or disagree on what is outside",
-                        facts.boundary_edges, facts.non_manifold_edges),
-            "expected a closed mesh");
+        throw params.error("target", not_closed(facts), "expected a closed mesh");
 }
 
 void read_shape(const Params& params, FibresSettings& settings) {

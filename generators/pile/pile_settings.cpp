@@ -2,6 +2,7 @@
 #include "generators/pile/pile_settings.h"
 
 #include "generators/pile/flow_settings.h"
+#include "geometry/mesh/not_closed.h"
 
 #include <fmt/format.h>
 
@@ -12,12 +13,8 @@ namespace {
 void check_closed_target(const Params& params, const char* for_what) {
     const MeshFacts facts = inspect(*params.object<Mesh>("target"));
     if (!facts.closed())
-        throw params.error(
-            "target",
-            fmt::format("the mesh is not closed: {} boundary edges, {} edges where triangles do "
-                        "not meet in twos or disagree on what is outside",
-                        facts.boundary_edges, facts.non_manifold_edges),
-            fmt::format("expected a closed mesh for {}", for_what));
+        throw params.error("target", not_closed(facts),
+                           fmt::format("expected a closed mesh for {}", for_what));
 }
 
 std::optional<SolidFill> solid_fill(const Params& params) {

@@ -3,9 +3,8 @@
 
 #include "core/error.h"
 #include "geometry/mesh/largest_ball.h"
+#include "geometry/mesh/not_closed.h"
 #include "geometry/sampling/surface_points.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -71,6 +70,7 @@ std::vector<Ball> inscribed(std::vector<Ball> poles, const Body& body, double sp
 
 std::vector<Ball> points_as_balls(const std::vector<Vec3>& points, double radius = 0) {
     std::vector<Ball> balls;
+    balls.reserve(points.size());
     for (const Vec3& p : points)
         balls.push_back({p, static_cast<float>(radius)});
     return balls;
@@ -89,7 +89,7 @@ void complete_sheet(Body& body) {
     body.samples = BallTree(points_as_balls(points));
 }
 
-BodyDraft draft_sheet(std::shared_ptr<Body> body, double thickness) {
+BodyDraft draft_sheet(const std::shared_ptr<Body>& body, double thickness) {
     body->radius = thickness / 2;
     body->skin = thickness / 2;
     body->origin = bounds(*body->mesh).center();
@@ -150,7 +150,7 @@ void complete_solid(Body& body, const InnerBalls& inner) {
     body.samples = BallTree(points_as_balls(skin));
 }
 
-BodyDraft draft_solid(std::shared_ptr<Body> body) {
+BodyDraft draft_solid(const std::shared_ptr<Body>& body) {
     InnerBalls inner = inner_balls(*body->mesh);
     body->radius = double(inner.largest.radius);
     body->origin = inner.largest.centre;
@@ -169,10 +169,7 @@ void check_body(const Mesh& mesh, double thickness) {
         return;
     throw Error({.where = {},
                  .path = {},
-                 .message = fmt::format(
-                     "the mesh is not closed: {} boundary edges, {} edges where triangles do not "
-                     "meet in twos or disagree on what is outside",
-                     facts.boundary_edges, facts.non_manifold_edges),
+                 .message = not_closed(facts),
                  .hint = "expected a closed mesh, or sheet = true"});
 }
 

@@ -38,26 +38,16 @@ std::string program(const SolidKernel& kernel) {
            kernel.function + "(field, settings, points[i]);\n}\n";
 }
 
-/// A buffer with `data`; for empty data a few bytes, since OpenCL has no empty buffers.
-template <class T>
-Device::BufferHandle uploaded(Device& device, std::span<const T> data) {
-    const Device::BufferHandle buffer =
-        device.allocate(std::max(data.size_bytes(), std::size_t(16)));
-    if (!data.empty())
-        device.write(buffer, data.data(), data.size_bytes());
-    return buffer;
-}
-
 } // namespace
 
 void run_solid_kernel(Device& device, const SolidKernel& kernel,
                       std::span<const std::byte> settings, const FractalLattice& lattice,
                       std::span<const ShadingPoint> points, std::span<ShadingSample> samples) {
     const std::string source = program(kernel);
-    const Device::BufferHandle settings_buffer = uploaded(device, settings);
-    const Device::BufferHandle header = uploaded(device, std::span(&lattice.header(), 1));
-    const Device::BufferHandle nodes16 = uploaded(device, lattice.nodes16());
-    const Device::BufferHandle nodes32 = uploaded(device, lattice.nodes32());
+    const Device::BufferHandle settings_buffer = device.upload(settings);
+    const Device::BufferHandle header = device.upload(std::span(&lattice.header(), 1));
+    const Device::BufferHandle nodes16 = device.upload(lattice.nodes16());
+    const Device::BufferHandle nodes32 = device.upload(lattice.nodes32());
     const std::size_t capacity = std::min(batch, points.size());
     const Device::BufferHandle in = device.allocate(capacity * sizeof(solid::SolidPoint));
     const Device::BufferHandle out = device.allocate(capacity * sizeof(solid::SolidSample));
