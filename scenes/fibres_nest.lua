@@ -1,5 +1,13 @@
--- A bird's nest: twigs that run around a hollow and do not pass through each other.
+-- A bird's nest: stiff twigs that run around a hollow and came to rest on each other.
 local pile = include("parts/pile.lua")
+
+-- Their heights are those at which they touch the twigs of seed 1.
+local function egg(position, turn, color)
+  return object {
+    shape = mesh.sphere { radius = 0.016 }, scale = { 0.8, 0.8, 1.05 }, rotation = { 0, turn, 0 }, position = position,
+    material = material.plastic { color = srgb(color), roughness = 0.35 },
+  }
+end
 
 return scene {
   film = { width = 1280, height = 720, samples = arg("samples", 128) },
@@ -12,10 +20,9 @@ return scene {
         { 0, 0 }, { 0.05, 0.002 }, { 0.088, 0.022 }, { 0.1, 0.05 }, { 0.09, 0.062 }, { 0.072, 0.058 }, { 0.055, 0.034 }, { 0.03, 0.022 }, { 0, 0.019 },
       } },
       count = arg("count", 900), length = { 0.08, 0.17 }, segments = 24, radius = mm(0.8), taper = 0.6, theta = { -5, 6 }, phi = { -20, 20 },
-      flow = field.whirl { turn = 90 }, flow_strength = 0.25, seed = arg("seed", 1),
+      flow = field.whirl { turn = 90 }, flow_strength = 0.25, seed = arg("seed", 1), gravity = true, floor = 0, stiffness = 1, friction = 0.8,
       material = material.plastic { palette = pile.palette("#6b4f35", "#8a6a45", "#4f3a28", "#9a7c55", "#5d4a3a"), roughness = 0.6 },
     },
-    object { shape = mesh.sphere { radius = 0.016 }, scale = { 0.8, 0.8, 1.05 }, position = { -0.014, 0.036, 0.004 }, material = material.plastic { color = srgb("#a9c4c4"), roughness = 0.35 } },
-    object { shape = mesh.sphere { radius = 0.016 }, scale = { 0.8, 0.8, 1.05 }, rotation = { 0, 60, 0 }, position = { 0.016, 0.036, -0.006 }, material = material.plastic { color = srgb("#9dbcbd"), roughness = 0.35 } },
+    egg({ -0.015, 0.0242, 0.004 }, 10, "#a9c4c4"), egg({ 0.014, 0.0246, -0.01 }, 70, "#9dbcbd"), egg({ 0.012, 0.0266, 0.021 }, -40, "#a3c1bf"),
   },
 }

@@ -8,7 +8,7 @@ local bowl = mesh.lathe {
   },
 }
 return scene {
-  film = { width = 1280, height = 720, samples = 128 },
+  film = { width = 1280, height = 720, samples = arg("samples", 128) },
   camera = camera.perspective { from = { 0, 0.42, 0.55 }, at = { 0, 0.045, 0 }, fov = 26 },
   lights = pile.lights(0.2, 1.1),
   objects = {

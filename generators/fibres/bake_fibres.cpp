@@ -94,9 +94,8 @@ Rods rods_of(Placed& placed, const FibresSettings& settings, const FibreSource& 
         rods.lengths[i] = source.segment_length(i);
         for (Rotation& frame : frames)
             frame = unit(placed.rigid.poses[i].rotation * frame);
-        for (std::uint32_t k = 0; k + 1 < n; ++k)
-            rods.rest[i * (n - 1) + k] = unit(~frames[k] * frames[k + 1]);
     });
+    take_shapes_as_rest(rods);
     return rods;
 }
 
@@ -122,6 +121,9 @@ void bend_apart(Placed& placed, const FibresSettings& settings, const Places& pl
     const double radius = settings.shape.radius;
     ContactResult result = resolve_contact(rods, boundary, settings.contact_settings, context);
     if (settings.gravity) {
+        // Contact bent them for good: fibres that sprang back would press into each other harder
+        // than their weight does.
+        take_shapes_as_rest(rods);
         const RestResult rest = come_to_rest(rods, held, settings.contact_settings, context);
         facts.insert(facts.end(), {{"rest_steps", double(rest.steps)},
                                    {"rest_passes", double(rest.passes)},
@@ -130,6 +132,7 @@ void bend_apart(Placed& placed, const FibresSettings& settings, const Places& pl
             settings.warn(fmt::format("fibres are not at rest after {} steps: they still move by "
                                       "{:.3g} radii in each",
                                       rest.steps, rest.mean_step));
+        take_shapes_as_rest(rods);
         result = resolve_contact(rods, held, settings.contact_settings, context);
     }
     const ContactMeasure& measure = result.measure;

@@ -21,6 +21,16 @@ Vec3 taken_back(Vec3 slide, const Vec3& normal, float most) {
     return length > most ? slide * (most / length) : slide;
 }
 
+/// Whether a chain comes nearer to a point beyond the end of its segment `i` [0, n) that `share` is
+/// at; `away` leads from the point to that end. Contact is then the neighbouring segment's: that of
+/// this end, which is inside the chain, would push along it.
+bool is_nearer_beyond(const Vec3* chain, std::uint32_t i, std::uint32_t n, float share,
+                      const Vec3& away) {
+    if (share == 0 && i > 0)
+        return away.dot(chain[i] - chain[i - 1]) > 0;
+    return share == 1 && i + 1 < n && away.dot(chain[i + 2] - chain[i + 1]) < 0;
+}
+
 } // namespace
 
 /// Sums of a fibre's moves, kept from fibre to fibre.
@@ -34,13 +44,27 @@ ContactSolver::ContactSolver(Rods& rods, const Boundary& boundary, const Contact
       pairs_(margin, slack * settings.radius), moved_(rods.points.size()), measures_(rods.count()) {
 }
 
-void ContactSolver::gather(std::size_t fibre, const std::vector<Vec3>* start, Moves& moves,
-                           ContactMeasure& found) {
+void ContactSolver::begin_step() {
+    if (start_.empty()) {
+        pairs_.update(rods_);
+        pairs_.keep_slips();
+        slid_.resize(rods_.count());
+    } else {
+        pairs_.slips().swap(slid_);
+    }
+    start_ = rods_.points;
+}
+
+void ContactSolver::gather(std::size_t fibre, Moves& moves, ContactMeasure& found) {
     const std::uint32_t n = rods_.segments;
     moves.sum.assign(n + 1, Vec3(0.0F));
     moves.weight.assign(n + 1, 0);
     const std::size_t first = fibre * (n + 1);
-    for (const SegmentPairs::Pair& pair : pairs_.of(fibre)) {
+    const std::span<const SegmentPairs::Pair> pairs = pairs_.of(fibre);
+    if (!start_.empty())
+        slid_[fibre].assign(pairs.size(), Vec3(0.0F));
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        const SegmentPairs::Pair& pair = pairs[k];
         const std::uint32_t i = pair.own;
         const std::uint32_t j = pair.other % n;
         const std::size_t other = pair.other + pair.other / n; // vertex
@@ -54,6 +78,10 @@ void ContactSolver::gather(std::size_t fibre, const std::vector<Vec3>* start, Mo
         const float aim = margin * touching;
         const float distance2 = near.between.length2();
         if (distance2 >= aim * aim)
+            continue;
+        if (pair.other / n != fibre &&
+            (is_nearer_beyond(&rods_.points[first], i, n, near.s, near.between) ||
+             is_nearer_beyond(&rods_.points[other - j], j, n, near.t, -near.between)))
             continue;
         const float distance = std::sqrt(distance2);
         if (distance < touching) {
@@ -72,11 +100,14 @@ void ContactSolver::gather(std::size_t fibre, const std::vector<Vec3>* start, Mo
         if (norm == 0)
             continue;
         Vec3 move = normal * (aim - distance);
-        if (start != nullptr) {
-            const auto slid = [&](std::size_t v) { return rods_.points[v] - (*start)[v]; };
-            move -= taken_back(slid(first + i) * (1 - near.s) + slid(first + i + 1) * near.s -
-                                   slid(other) * (1 - near.t) - slid(other + 1) * near.t,
-                               normal, friction_ * (aim - distance));
+        if (!start_.empty()) {
+            const auto slid = [&](std::size_t v) { return rods_.points[v] - start_[v]; };
+            const Vec3 back = taken_back(pairs_.slips()[fibre][k] + slid(first + i) * (1 - near.s) +
+                                             slid(first + i + 1) * near.s -
+                                             slid(other) * (1 - near.t) - slid(other + 1) * near.t,
+                                         normal, friction_ * (aim - distance));
+            slid_[fibre][k] = back;
+            move -= back;
         }
         move /= norm;
         moves.sum[i] += move * w[0];
@@ -86,8 +117,10 @@ void ContactSolver::gather(std::size_t fibre, const std::vector<Vec3>* start, Mo
     }
 }
 
-ContactMeasure ContactSolver::measure(const std::vector<Vec3>* start) {
+ContactMeasure ContactSolver::measure() {
     pairs_.update(rods_);
+    // With the speeds of steps, moves that overshoot would never come to rest.
+    const float relaxation = start_.empty() ? over_relaxation : 1;
     const std::size_t n = rods_.vertices();
     constexpr std::size_t block = 16;
     parallel_for((rods_.count() + block - 1) / block, 1, [&](std::size_t b) {
@@ -95,13 +128,12 @@ ContactMeasure ContactSolver::measure(const std::vector<Vec3>* start) {
         const std::size_t end = std::min(rods_.count(), (b + 1) * block);
         for (std::size_t f = b * block; f < end; ++f) {
             measures_[f] = {};
-            gather(f, start, moves, measures_[f]);
+            gather(f, moves, measures_[f]);
             for (std::uint32_t v = 0; v < n; ++v) {
-                const Vec3 move =
-                    moves.sum[v] * (over_relaxation / std::max(1.0F, moves.weight[v]));
+                const Vec3 move = moves.sum[v] * (relaxation / std::max(1.0F, moves.weight[v]));
                 moved_[f * n + v] = rods_.points[f * n + v] + move;
                 if (rods_.mobility(v) > 0)
-                    keep_to_bounds(f, v, start, measures_[f]);
+                    keep_to_bounds(f, v, measures_[f]);
             }
         }
     });
@@ -115,8 +147,7 @@ ContactMeasure ContactSolver::measure(const std::vector<Vec3>* start) {
     return all;
 }
 
-void ContactSolver::keep_to_bounds(std::size_t fibre, std::uint32_t v,
-                                   const std::vector<Vec3>* start, ContactMeasure& found) {
+void ContactSolver::keep_to_bounds(std::size_t fibre, std::uint32_t v, ContactMeasure& found) {
     const std::size_t vertex = fibre * rods_.vertices() + v;
     const float keep = margin * rods_.radii[v];
     const float asked = keep - rods_.radii[v];
@@ -132,8 +163,8 @@ void ContactSolver::keep_to_bounds(std::size_t fibre, std::uint32_t v,
         if (stays)
             measure(excess);
         p -= excess.outward * excess.distance;
-        if (start != nullptr)
-            p -= taken_back(p - (*start)[vertex], excess.outward, friction_ * excess.distance);
+        if (!start_.empty())
+            p -= taken_back(p - start_[vertex], excess.outward, friction_ * excess.distance);
     });
 }
 

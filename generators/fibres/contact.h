@@ -26,10 +26,22 @@ class ContactSolver {
     /// All of it must outlive this. No rod may be without length.
     ContactSolver(Rods& rods, const Boundary& boundary, const ContactSettings& settings);
 
-    /// Measures where the rods are, and prepares the moves of `apply`. With `start`, the places of
-    /// all vertices at the beginning of a step, contacts hold on by Coulomb's law: against what
-    /// they slid since, at most friction times the move apart.
-    ContactMeasure measure(const std::vector<Vec3>* start = nullptr);
+    /// From the first call on, contacts hold on by Coulomb's law. Bounds take back what slid on
+    /// them in the step. Two fibres are linked as long as they touch: what they slid is taken back
+    /// by at most friction times the move apart, and cut to that from step to step (Cundall &
+    /// Strack 1979), or friction that balances a load would creep.
+    void begin_step();
+
+    /// The places of all vertices when the step began; empty without steps.
+    const std::vector<Vec3>& start() const { return start_; }
+
+    /// Measures where the rods are, and prepares the moves of `apply`.
+    ContactMeasure measure();
+
+    /// How deep a fibre was in others or outside when last measured [m].
+    float depth_of(std::size_t fibre) const {
+        return std::max(measures_[fibre].deepest, measures_[fibre].outside);
+    }
 
     /// Makes the moves and restores `stiffness` of the shape, and lengths.
     void apply(float stiffness);
@@ -38,16 +50,16 @@ class ContactSolver {
 
   private:
     struct Moves;
-    void gather(std::size_t fibre, const std::vector<Vec3>* start, Moves& moves,
-                ContactMeasure& found);
-    void keep_to_bounds(std::size_t fibre, std::uint32_t v, const std::vector<Vec3>* start,
-                        ContactMeasure& found);
+    void gather(std::size_t fibre, Moves& moves, ContactMeasure& found);
+    void keep_to_bounds(std::size_t fibre, std::uint32_t v, ContactMeasure& found);
 
     Rods& rods_;
     const Boundary& boundary_;
     float friction_;
     SegmentPairs pairs_;
     std::vector<Vec3> moved_;              // where vertices go
+    std::vector<Vec3> start_;              // of the step
+    std::vector<std::vector<Vec3>> slid_;  // the slips of pairs by now
     std::vector<ContactMeasure> measures_; // of each fibre
 };
 

@@ -12,17 +12,18 @@ namespace {
 
 constexpr int most_steps = 2000;
 constexpr int usual_passes = 8;  // of contact that a step may take; more, and it was too long
-constexpr int most_passes = 100; // of contact alone before the next step
+constexpr int most_passes = 100; // of contact after a step
+constexpr int late_passes = 3;   // the same, when gravity is at its least
 constexpr float damping = 0.9F;  // share of its speed that a vertex keeps
 constexpr float longest = 0.5F;  // step [radii]
-constexpr float allowed = 0.2F;  // depth before the next step [radii]
+constexpr float deepest = 0.4F;  // of any fibre before the next step [radii]
+constexpr float held = 0.2F;     // depth of a fibre that contact alone moves [radii]
+constexpr float stiffest = 0.3F; // share of their bending that wires spring back by in a step
 constexpr float still = 0.001F;  // mean step at rest [radii]
 // What gravity adds to a step [radii]: as much as fibres that fall allow at first, less and less
 // as their weight presses them into each other.
 constexpr float first_pull = 0.05F;
 constexpr float least_pull = 0.002F;
-// Of the stiffness in contact. It falls with the pull, so that fibres bend as much under any.
-constexpr float stiffness_to_pull = 0.1F / first_pull;
 
 /// Fibres on their way down.
 class Fall {
@@ -30,18 +31,20 @@ class Fall {
     Fall(Rods& rods, const Boundary& boundary, const ContactSettings& settings)
         : rods_(rods), solver_(rods, boundary, settings),
           radius_(static_cast<float>(settings.radius)),
-          stiffness_(static_cast<float>(settings.stiffness)),
+          stiffness_(static_cast<float>(std::pow(settings.stiffness, 4))),
           speeds_(rods.points.size(), Vec3(0.0F)), ways_(rods.count()) {}
 
     /// One step and the contact after it; returns the mean way of a vertex [radii].
     double step(RestResult& result) {
-        start_ = rods_.points;
+        solver_.begin_step();
         advance();
         int passes = 0;
-        const float stiffness = std::min(1.0F, stiffness_ * stiffness_to_pull * pull_);
+        const int most = pull_ > least_pull ? most_passes : late_passes;
+        // In proportion to the pull, so that fibres bend as much under any.
+        const float stiffness = std::min(stiffest, stiffness_ * pull_ / least_pull);
         for (;; ++passes) {
-            const ContactMeasure measure = solver_.measure(&start_);
-            if (passes == most_passes || (passes > 0 && measure.within(allowed * radius_)))
+            const ContactMeasure measure = solver_.measure();
+            if (passes == most || (passes > 0 && measure.within(deepest * radius_)))
                 break;
             solver_.apply(passes == 0 ? stiffness : 0);
         }
@@ -60,15 +63,21 @@ class Fall {
   private:
     void advance() {
         const std::size_t n = rods_.vertices();
-        parallel_for(rods_.points.size(), 4096, [&](std::size_t i) {
-            if (rods_.mobility(static_cast<std::uint32_t>(i % n)) == 0)
-                return;
-            Vec3& v = speeds_[i];
-            v = v * damping - Vec3(0, pull_ * radius_, 0);
-            const float length = v.length();
-            if (length > longest * radius_)
-                v *= longest * radius_ / length;
-            rods_.points[i] += v;
+        const Vec3 pull(0, pull_ * radius_, 0);
+        parallel_for(rods_.count(), 64, [&](std::size_t f) {
+            const bool waits = solver_.depth_of(f) > held * radius_;
+            for (std::uint32_t v = 0; v < n; ++v) {
+                const std::size_t i = f * n + v;
+                if (waits || rods_.mobility(v) == 0) {
+                    speeds_[i] = Vec3(0.0F);
+                    continue;
+                }
+                speeds_[i] = speeds_[i] * damping - pull;
+                const float length = speeds_[i].length();
+                if (length > longest * radius_)
+                    speeds_[i] *= longest * radius_ / length;
+                rods_.points[i] += speeds_[i];
+            }
         });
     }
 
@@ -76,10 +85,11 @@ class Fall {
     /// the mean way [m].
     double take_speeds(float share) {
         const std::size_t n = rods_.vertices();
+        const std::vector<Vec3>& start = solver_.start();
         parallel_for(rods_.count(), 64, [&](std::size_t f) {
             ways_[f] = 0;
             for (std::size_t i = f * n; i < (f + 1) * n; ++i) {
-                const Vec3 way = rods_.points[i] - start_[i];
+                const Vec3 way = rods_.points[i] - start[i];
                 const float before = speeds_[i].length();
                 const float now = way.length();
                 ways_[f] += double(now);
@@ -92,10 +102,9 @@ class Fall {
     Rods& rods_;
     ContactSolver solver_;
     float radius_;
-    float stiffness_;
+    float stiffness_; // from noodles to wire: to the fourth power, as that of a rod by its radius
     float pull_ = first_pull;
     float ceiling_ = first_pull; // of the pull
-    std::vector<Vec3> start_;    // of the step
     std::vector<Vec3> speeds_;   // [m/step]
     std::vector<double> ways_;   // of each fibre's vertices, summed [m]
 };

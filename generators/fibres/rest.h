@@ -14,8 +14,9 @@ struct RestResult {
 };
 
 /// Lets fibres fall until the mean step of their vertices is below a thousandth of the radius:
-/// damped steps of at most half a radius, after each of which contact is brought below a fifth of
-/// a radius, with Coulomb friction against what slid in the step.
+/// damped steps of at most half a radius, after each of which contact with friction is repeated
+/// until nothing is deeper than 0.4 radii, or three times when the steps are at their smallest.
+/// Fibres that are deeper than 0.2 radii wait: one that is jammed holds up itself alone.
 RestResult come_to_rest(Rods& rods, const Boundary& boundary, const ContactSettings& settings,
                         const Context& context);
 

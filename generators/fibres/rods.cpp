@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/fibres/rods.h"
 
+#include "core/parallel.h"
+
 #include <algorithm>
 
 namespace scree::fibres {
@@ -27,6 +29,16 @@ void restore_joint(Rotation& q, Rotation& next, const Rotation& rest, float stif
 }
 
 } // namespace
+
+void take_shapes_as_rest(Rods& rods) {
+    parallel_for(rods.count(), 64, [&](std::size_t f) {
+        const Rod rod = rod_of(rods, f, rods.points);
+        follow_segments(rod);
+        Rotation* rest = &rods.rest[f * (rods.segments - 1)];
+        for (std::uint32_t k = 0; k + 1 < rods.segments; ++k)
+            rest[k] = unit(~rod.frames[k] * rod.frames[k + 1]);
+    });
+}
 
 void follow_segments(const Rod& rod) {
     for (std::size_t i = rod.rooted ? 1 : 0; i < rod.frames.size(); ++i) {

@@ -26,6 +26,9 @@ struct Rods {
     float mobility(std::uint32_t v) const { return rooted && v < 2 ? 0 : 1; }
 };
 
+/// Makes the shapes that rods have the ones that they are at rest in.
+void take_shapes_as_rest(Rods& rods);
+
 /// One rod among them, whose vertices may be elsewhere.
 struct Rod {
     std::span<Vec3> points;

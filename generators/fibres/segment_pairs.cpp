@@ -44,7 +44,34 @@ void SegmentPairs::update(const Rods& rods) {
     reach_ = (*std::ranges::max_element(rods.lengths)) * 1.01F + thickest_;
     fill_grid(rods);
     pairs_.resize(rods.count());
-    parallel_for(rods.count(), 16, [&](std::size_t fibre) { list_pairs(rods, fibre); });
+    parallel_for(rods.count(), 16, [&](std::size_t fibre) {
+        std::vector<Pair> before;
+        if (!slips_.empty())
+            before = pairs_[fibre];
+        list_pairs(rods, fibre, pairs_[fibre]);
+        if (!slips_.empty())
+            carry_slips(fibre, before);
+    });
+}
+
+void SegmentPairs::keep_slips() {
+    slips_.resize(pairs_.size());
+    for (std::size_t fibre = 0; fibre < pairs_.size(); ++fibre)
+        slips_[fibre].resize(pairs_[fibre].size(), Vec3(0.0F));
+}
+
+void SegmentPairs::carry_slips(std::size_t fibre, std::span<const Pair> before) {
+    const std::vector<Pair>& pairs = pairs_[fibre];
+    std::vector<Vec3> slips(pairs.size(), Vec3(0.0F));
+    const auto key = [](const Pair& pair) { return std::pair(pair.own, pair.other); };
+    std::size_t old = 0;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        while (old < before.size() && key(before[old]) < key(pairs[k]))
+            ++old;
+        if (old < before.size() && key(before[old]) == key(pairs[k]))
+            slips[k] = slips_[fibre][old];
+    }
+    slips_[fibre] = std::move(slips);
 }
 
 void SegmentPairs::fill_grid(const Rods& rods) {
@@ -84,13 +111,12 @@ void SegmentPairs::fill_grid(const Rods& rods) {
         entries_[next[cell_of_[s]]++] = {middle_of(rods, s), static_cast<std::uint32_t>(s)};
 }
 
-void SegmentPairs::list_pairs(const Rods& rods, std::size_t fibre) {
+void SegmentPairs::list_pairs(const Rods& rods, std::size_t fibre, std::vector<Pair>& pairs) const {
     const std::uint32_t n = rods.segments;
     const float radius = *std::ranges::max_element(rods.radii);
     // Segments of one fibre less than this apart are not paired.
     const auto apart =
         std::max(2U, 1 + static_cast<std::uint32_t>(std::ceil(4 * radius / rods.lengths[fibre])));
-    std::vector<Pair>& pairs = pairs_[fibre];
     pairs.clear();
     for (std::uint32_t i = 0; i < n; ++i) {
         const Vec3& p = rods.points[fibre * (n + 1) + i];

@@ -55,6 +55,11 @@ class SegmentPairs {
     /// Of a fibre, sorted by both segments.
     std::span<const Pair> of(std::size_t fibre) const { return pairs_[fibre]; }
 
+    /// How far the touching points of each pair have slid on each other, the fibre's own against
+    /// the other [m]; kept while a pair is listed, 0 before. Empty until `keep_slips`.
+    std::vector<std::vector<Vec3>>& slips() { return slips_; }
+    void keep_slips();
+
     std::size_t searches() const { return searches_; }
 
   private:
@@ -65,7 +70,8 @@ class SegmentPairs {
     };
     bool is_valid(const Rods& rods) const;
     void fill_grid(const Rods& rods);
-    void list_pairs(const Rods& rods, std::size_t fibre);
+    void list_pairs(const Rods& rods, std::size_t fibre, std::vector<Pair>& pairs) const;
+    void carry_slips(std::size_t fibre, std::span<const Pair> before);
 
     float margin_;
     float slack_;
@@ -80,6 +86,7 @@ class SegmentPairs {
     std::vector<std::uint32_t> first_;   // of each cell's entries
     std::vector<Entry> entries_;
     std::vector<std::vector<Pair>> pairs_; // of each fibre
+    std::vector<std::vector<Vec3>> slips_; // of its pairs
 };
 
 } // namespace scree::fibres

@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace scree::tests {
 
@@ -91,21 +92,21 @@ inline double segment_distance(const std::array<WideVec3, 2>& a, const std::arra
     return least;
 }
 
-/// How deep segments are in each other, of all pairs whose axes are nearer than 1.02 diameters, in
-/// radii; all fibres are of the radius [m]. Segments of one fibre less than four radii apart along
-/// it are none.
-inline std::vector<double> contact_depths(const Strands& strands, double radius) {
-    struct Segment {
-        std::array<WideVec3, 2> ends;
-        std::size_t fibre, index;
-        WideVec3 low, high;
-    };
-    std::vector<Segment> all;
-    const double near = 2.04 * radius;
+/// A segment of a fibre, and the box about it.
+struct FibreSegment {
+    std::array<WideVec3, 2> ends;
+    std::size_t fibre, index;
+    WideVec3 low, high;
+};
+
+/// Calls found(segment, segment, distance) for all pairs whose axes are nearer than `near` [m].
+template <class Found>
+void each_near_pair(const Strands& strands, double near, const Found& found) {
+    std::vector<FibreSegment> all;
     for (std::size_t f = 0; f < strands.count(); ++f) {
         const auto points = strand(strands, f);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-            Segment s{{WideVec3(points[i]), WideVec3(points[i + 1])}, f, i, {}, {}};
+            FibreSegment s{{WideVec3(points[i]), WideVec3(points[i + 1])}, f, i, {}, {}};
             for (int axis = 0; axis < 3; ++axis) {
                 s.low[axis] = std::min(s.ends[0][axis], s.ends[1][axis]) - near / 2;
                 s.high[axis] = std::max(s.ends[0][axis], s.ends[1][axis]) + near / 2;
@@ -113,26 +114,43 @@ inline std::vector<double> contact_depths(const Strands& strands, double radius)
             all.push_back(s);
         }
     }
-    std::ranges::sort(all, {}, [](const Segment& s) { return s.low.x; });
-    std::vector<double> depths;
+    std::ranges::sort(all, {}, [](const FibreSegment& s) { return s.low.x; });
     for (std::size_t a = 0; a < all.size(); ++a)
         for (std::size_t b = a + 1; b < all.size() && all[b].low.x <= all[a].high.x; ++b) {
-            const Segment& s = all[a];
-            const Segment& t = all[b];
+            const FibreSegment& s = all[a];
+            const FibreSegment& t = all[b];
             if (s.low.y > t.high.y || t.low.y > s.high.y || s.low.z > t.high.z ||
                 t.low.z > s.high.z)
                 continue;
-            if (s.fibre == t.fibre) {
-                const double length = (s.ends[1] - s.ends[0]).length();
-                const double between = std::abs(double(s.index) - double(t.index)) - 1;
-                if (between < 1 || between * length < 4 * radius)
-                    continue;
-            }
-            const double distance = segment_distance(s.ends, t.ends);
-            if (distance < near)
-                depths.push_back(std::max(0.0, 2 - distance / radius));
+            if (const double distance = segment_distance(s.ends, t.ends); distance < near)
+                found(s, t, distance);
         }
+}
+
+/// How deep segments are in each other, of all pairs whose axes are nearer than 1.02 diameters, in
+/// radii; all fibres are of the radius [m]. Segments of one fibre less than four radii apart along
+/// it are none.
+inline std::vector<double> contact_depths(const Strands& strands, double radius) {
+    std::vector<double> depths;
+    each_near_pair(strands, 2.04 * radius,
+                   [&](const FibreSegment& s, const FibreSegment& t, double distance) {
+                       const double length = (s.ends[1] - s.ends[0]).length();
+                       const double between = std::abs(double(s.index) - double(t.index)) - 1;
+                       if (s.fibre == t.fibre && (between < 1 || between * length < 4 * radius))
+                           return;
+                       depths.push_back(std::max(0.0, 2 - distance / radius));
+                   });
     return depths;
+}
+
+/// The pairs of different fibres whose axes are nearer than `near` [m].
+inline std::set<std::array<std::size_t, 2>> touching_fibres(const Strands& strands, double near) {
+    std::set<std::array<std::size_t, 2>> pairs;
+    each_near_pair(strands, near, [&](const FibreSegment& s, const FibreSegment& t, double) {
+        if (s.fibre != t.fibre)
+            pairs.insert({std::min(s.fibre, t.fibre), std::max(s.fibre, t.fibre)});
+    });
+    return pairs;
 }
 
 } // namespace scree::tests
