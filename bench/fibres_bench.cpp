@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Benchmarks of generator.fibres: Tables 5.2, 5.4 and 5.5 of Sakurai 2013 beside the figures in
-// print, what contact leaves, growth with the number of fibres, and memory.
+// Benchmarks of generator.fibres: Tables 5.2 to 5.6 of Sakurai 2013 beside the figures in print,
+// what contact leaves, growth with the number of fibres, and memory.
 #include "bench/measure.h"
 #include "bench/tables.h"
 #include "core/parallel.h"
 #include "formats/read_mesh.h"
 #include "generators/table.h"
+#include "tests/support/component_checks.h"
 #include "tests/support/plugin_params.h"
 
 #include <sys/resource.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <map>
+#include <span>
 
 namespace {
 
@@ -19,10 +22,18 @@ using namespace scree;
 
 using Values = std::map<std::string, Value>;
 
-/// The bunny, `size` [m] along its longest side; the thesis's lengths are tenths of it.
-Value bunny(double size) {
-    Mesh mesh = read_mesh("/usr/share/glmark2/models/bunny.obj");
+/// The mesh of a file, `size` [m] along its longest side; the thesis's lengths are tenths of a
+/// bunny of size 2.
+Value model(const std::string& file, double size) {
+    Mesh mesh = read_mesh(file);
     normalise_size(mesh, size);
+    return SharedObject(std::make_shared<const Mesh>(std::move(mesh)));
+}
+
+Value bunny(double size) { return model("/usr/share/glmark2/models/bunny.obj", size); }
+
+Value ball() {
+    Mesh mesh = tests::component_mesh("sphere", {{"radius", 1.0}});
     return SharedObject(std::make_shared<const Mesh>(std::move(mesh)));
 }
 
@@ -49,26 +60,35 @@ struct Row {
     Range theta, phi; // [deg]
     double length;    // the bunny is 20 long
     std::int64_t count;
-    int iterations; // in print
-    double seconds; // of an iteration on a GTX 570
+    int iterations = 0; // in print; 0: not given
+    double seconds = 0; // of an iteration on a GTX 570
 };
 
-constexpr Row rows[] = {{"5.2 a", {0, 0}, {0, 0}, 10, 2048, 35, 0.860},
-                        {"5.2 b", {0, 10.8}, {0, 0}, 10, 2048, 54, 0.860},
-                        {"5.2 c", {-10.8, 10.8}, {0, 0}, 10, 2048, 37, 0.860},
-                        {"5.2 d", {0, 10.8}, {0, 36}, 10, 2048, 31, 0.835},
-                        {"5.4 a", {0, 10.8}, {0, 36}, 20, 2048, 71, 0.863},
-                        {"5.4 b", {0, 10.8}, {0, 36}, 5, 2048, 17, 0.859},
-                        {"5.5 a", {0, 10.8}, {0, 36}, 10, 1024, 31, 0.444},
-                        {"5.5 b", {0, 10.8}, {0, 36}, 10, 512, 32, 0.209}};
+constexpr Row in_bunny[] = {{"5.2 a", {0, 0}, {0, 0}, 10, 2048, 35, 0.860},
+                            {"5.2 b", {0, 10.8}, {0, 0}, 10, 2048, 54, 0.860},
+                            {"5.2 c", {-10.8, 10.8}, {0, 0}, 10, 2048, 37, 0.860},
+                            {"5.2 d", {0, 10.8}, {0, 36}, 10, 2048, 31, 0.835},
+                            {"5.4 a", {0, 10.8}, {0, 36}, 20, 2048, 71, 0.863},
+                            {"5.4 b", {0, 10.8}, {0, 36}, 5, 2048, 17, 0.859},
+                            {"5.5 a", {0, 10.8}, {0, 36}, 10, 1024, 31, 0.444},
+                            {"5.5 b", {0, 10.8}, {0, 36}, 10, 512, 32, 0.209}};
 
-void print_tables() {
-    fmt::print("Adjustment in the bunny: iterations, seconds of an iteration, vertices outside\n");
-    fmt::print("{:>6} {:>9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>8} {:>9}\n", "table", "in print", "s",
-               "thesis", "s", "outside", "nearest", "s", "outside");
-    const Value target = bunny(2);
+constexpr Row in_dragon[] = {{"5.3 a", {0, 0}, {0, 0}, 10, 2048, 28, 1.210},
+                             {"5.3 b", {0, 10.8}, {0, 0}, 10, 2048, 37, 1.202},
+                             {"5.3 c", {-10.8, 10.8}, {0, 0}, 10, 2048, 27, 1.217},
+                             {"5.3 d", {0, 10.8}, {0, 36}, 10, 2048, 30, 1.201}};
+
+constexpr Row in_ball[] = {{"5.12 b", {7.2, 14.4}, {7.2, 14.4}, 10, 2048},
+                           {"5.12 c", {7.2, 14.4}, {7.2, 14.4}, 10, 512},
+                           {"5.12 d", {7.2, 14.4}, {28.8, 43.2}, 10, 512},
+                           {"5.12 e", {28.8, 36}, {7.2, 14.4}, 10, 512}};
+
+void print_rows(const Value& target, std::span<const Row> rows) {
     for (const Row& row : rows) {
-        fmt::print("{:>6} {:>9} {:>8.3f}", row.name, row.iterations, row.seconds);
+        if (row.iterations > 0)
+            fmt::print("{:>6} {:>9} {:>8.3f}", row.name, row.iterations, row.seconds);
+        else
+            fmt::print("{:>6} {:>9} {:>8}", row.name, "-", "-");
         for (const char* method : {"thesis", "nearest"}) {
             const Run run = bake({{"target", target},
                                   {"adjustment", std::string(method)},
@@ -87,12 +107,28 @@ void print_tables() {
     }
 }
 
+void print_tables() {
+    fmt::print(
+        "Adjustment in bunny, dragon and ball: iterations, seconds of an iteration, vertices "
+        "outside\n");
+    fmt::print("{:>6} {:>9} {:>8} {:>9} {:>8} {:>9} {:>9} {:>8} {:>9}\n", "table", "in print", "s",
+               "thesis", "s", "outside", "nearest", "s", "outside");
+    print_rows(bunny(2), in_bunny);
+    if (const char* dragon = std::getenv("SCREE_DRAGON"))
+        print_rows(model(dragon, 2), in_dragon);
+    else
+        fmt::print(
+            "   5.3: SCREE_DRAGON=FILE names a closed mesh of the Stanford dragon, which is in "
+            "no package of Debian\n");
+    print_rows(ball(), in_ball);
+}
+
 /// Contact at 6.4% of the bunny, whose volume grows with the number of fibres.
 void print_contact() {
     fmt::print("Contact in the bunny, 6.4% filled; depths in radii\n");
     fmt::print("{:>8} {:>10} {:>8} {:>8} {:>9} {:>8} {:>8} {:>12}\n", "fibres", "iterations",
                "deepest", "outside", "length", "CPU s", "s", "us a fibre");
-    for (const std::int64_t count : {512, 2048, 8192, 32768}) {
+    for (const std::int64_t count : {512, 2048, 8192, 32768, 100000}) {
         const Run run = bake({{"target", bunny(2 * std::cbrt(double(count) / 2048))},
                               {"length", Range{1, 1}},
                               {"count", count}});
@@ -133,7 +169,7 @@ void print_memory() {
 
 int main(int count, char** arguments) {
     return bench::run_tables(count, arguments,
-                             {{"tables", "Tables 5.2, 5.4 and 5.5", print_tables},
+                             {{"tables", "Tables 5.2 to 5.6", print_tables},
                               {"contact", "what contact leaves, by the number", print_contact},
                               {"memory", "bytes of a vertex", print_memory}});
 }

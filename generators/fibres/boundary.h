@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/mesh/nearest_surface.h"
+#include "geometry/mesh/side_normals.h"
 #include "geometry/mesh/signed_distance_grid.h"
 
 #include <memory>
@@ -14,6 +15,7 @@ namespace scree::fibres {
 struct Excess {
     float distance = 0; // beyond where it may be [m]
     Vec3 outward;       // the steepest way further out, of length 1
+    Vec3 back;          // what takes it back [m]
 };
 
 /// What bounds fibres: shapes that they stay in, solids and sheets that they stay out of, a floor.
@@ -31,7 +33,7 @@ class Boundary {
     template <class Found>
     void each_excess(const Vec3& p, float keep, const Found& found) const {
         if (floor_ && *floor_ + keep > p.y)
-            found(Excess{*floor_ + keep - p.y, Vec3(0, -1, 0)});
+            found(Excess{*floor_ + keep - p.y, Vec3(0, -1, 0), Vec3(0, *floor_ + keep - p.y, 0)});
         for (const Solid& solid : solids_)
             if (const float coarse = solid.grid->at(p); solid.sign * coarse > -keep - solid.step)
                 if (const Excess excess = solid.excess(p, keep, coarse); excess.distance > 0)
@@ -51,12 +53,15 @@ class Boundary {
         std::shared_ptr<const SignedDistanceGrid>
             grid; // tells inside from outside, and what is far from the surface
         std::shared_ptr<const NearestSurface> surface;
+        std::shared_ptr<const SideNormals> sides;
         float sign = 1; // 1: stay inside; -1: stay outside
         float step = 0; // of the grid, more than its error [m]
         bool sheet = false;
         bool inside_out = false; // the normals point inwards
 
         Excess excess(const Vec3& p, float keep, float coarse) const;
+        Excess straight_excess(const Vec3& p, float keep, float coarse) const;
+        std::optional<Vec3> deeper_inside(const Vec3& p, float depth) const;
     };
     void add(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const SignedDistanceGrid> grid,
              bool sheet, float sign);

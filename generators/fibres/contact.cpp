@@ -41,8 +41,8 @@ struct ContactSolver::Moves {
 
 ContactSolver::ContactSolver(Rods& rods, const Boundary& boundary, const ContactSettings& settings)
     : rods_(rods), boundary_(boundary), friction_(static_cast<float>(settings.friction)),
-      pairs_(margin, slack * settings.radius), moved_(rods.points.size()), measures_(rods.count()) {
-}
+      pairs_(margin, slack * settings.radius), moved_(rods.points.size()), measures_(rods.count()),
+      free_(rods.count(), 0), moves_(rods.count(), 1) {}
 
 void ContactSolver::begin_step() {
     if (start_.empty()) {
@@ -53,6 +53,14 @@ void ContactSolver::begin_step() {
         pairs_.slips().swap(slid_);
     }
     start_ = rods_.points;
+}
+
+bool ContactSolver::is_unmoved(std::size_t fibre) const {
+    const std::span<const SegmentPairs::Pair> pairs = pairs_.of(fibre);
+    return start_.empty() && free_[fibre] && !moves_[fibre] &&
+           std::ranges::none_of(pairs, [&](const SegmentPairs::Pair& pair) {
+               return moves_[pair.other / rods_.segments];
+           });
 }
 
 void ContactSolver::gather(std::size_t fibre, Moves& moves, ContactMeasure& found) {
@@ -123,10 +131,17 @@ ContactMeasure ContactSolver::measure() {
     const float relaxation = start_.empty() ? over_relaxation : 1;
     const std::size_t n = rods_.vertices();
     constexpr std::size_t block = 16;
+    const auto is_same = [&](std::size_t f) {
+        return std::equal(&rods_.points[f * n], &rods_.points[f * n] + n, &moved_[f * n]);
+    };
     parallel_for((rods_.count() + block - 1) / block, 1, [&](std::size_t b) {
         Moves moves;
         const std::size_t end = std::min(rods_.count(), (b + 1) * block);
         for (std::size_t f = b * block; f < end; ++f) {
+            if (is_unmoved(f)) {
+                std::copy_n(&rods_.points[f * n], n, &moved_[f * n]);
+                continue;
+            }
             measures_[f] = {};
             gather(f, moves, measures_[f]);
             for (std::uint32_t v = 0; v < n; ++v) {
@@ -135,6 +150,7 @@ ContactMeasure ContactSolver::measure() {
                 if (rods_.mobility(v) > 0)
                     keep_to_bounds(f, v, measures_[f]);
             }
+            free_[f] = is_same(f);
         }
     });
     ContactMeasure all;
@@ -162,7 +178,7 @@ void ContactSolver::keep_to_bounds(std::size_t fibre, std::uint32_t v, ContactMe
     boundary_.each_excess(p, keep, [&](const Excess& excess) {
         if (stays)
             measure(excess);
-        p -= excess.outward * excess.distance;
+        p += excess.back;
         if (!start_.empty())
             p -= taken_back(p - start_[vertex], excess.outward, friction_ * excess.distance);
     });
@@ -174,6 +190,9 @@ void ContactSolver::apply(float stiffness) {
         LengthWork work;
         const std::size_t end = std::min(rods_.count(), (b + 1) * block);
         for (std::size_t f = b * block; f < end; ++f) {
+            moves_[f] = stiffness > 0 || !free_[f];
+            if (!moves_[f])
+                continue;
             const Rod rod = rod_of(rods_, f, moved_);
             follow_segments(rod);
             if (stiffness > 0)

@@ -50,6 +50,7 @@ class ContactSolver {
 
   private:
     struct Moves;
+    bool is_unmoved(std::size_t fibre) const;
     void gather(std::size_t fibre, Moves& moves, ContactMeasure& found);
     void keep_to_bounds(std::size_t fibre, std::uint32_t v, ContactMeasure& found);
 
@@ -61,6 +62,9 @@ class ContactSolver {
     std::vector<Vec3> start_;              // of the step
     std::vector<std::vector<Vec3>> slid_;  // the slips of pairs by now
     std::vector<ContactMeasure> measures_; // of each fibre
+    // Of each fibre, so that what contact leaves alone is not measured again: whether no move came of
+    // its last measure, and whether it was moved after that.
+    std::vector<std::uint8_t> free_, moves_;
 };
 
 /// What came of contact.

@@ -72,7 +72,8 @@ NearestSurface::Point NearestSurface::point_on(std::uint32_t triangle, const Ima
     const auto [a, b, c] = corners_of(*mesh_, triangle);
     const Imath::V3d position(at);
     const Vec3 facet = (b - a).cross(c - a).normalized();
-    return {position, smooth_normal(*mesh_, triangle, position, facet), (p - position).length()};
+    return {position, smooth_normal(*mesh_, triangle, position, facet), (p - position).length(),
+            triangle};
 }
 
 NearestSurface::Point NearestSurface::nearest(const Imath::V3d& p) const {

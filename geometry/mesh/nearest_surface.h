@@ -17,6 +17,7 @@ class NearestSurface {
         Imath::V3d position;
         Vec3 normal;     // of the surface there, interpolated where the mesh has normals
         double distance; // [m]
+        std::uint32_t triangle;
     };
 
     /// `mesh` has triangles and must outlive this.

@@ -137,6 +137,22 @@ TEST(FibreContactOf, TaperedFibresOfVariousLengthsIsMet) {
     EXPECT_LE(tests::stretch(*strands_of(fibres)), 1e-4);
 }
 
+TEST(FibreContactOf, AShapeThinnerThanAFibreAtItsRimIsMet) {
+    // A lens that ends in a sharp edge, where each side sends a vertex to the other.
+    FibreValues values = wool();
+    values["target"] = tests::shared_component(
+        "lathe",
+        {{"profile", std::vector<Vec2>{
+                         {0, -0.12}, {0.6, -0.06}, {1.2, 0}, {1.2, 0}, {0.6, 0.06}, {0, 0.12}}}});
+    values["count"] = std::int64_t{600};
+    values["length"] = Range{0.3, 0.5};
+    values["segments"] = std::int64_t{16};
+    const Aggregate fibres = bake_fibres(values);
+    EXPECT_LE(fact(fibres, "deepest"), 0.05);
+    EXPECT_LE(fact(fibres, "outside"), 0.05);
+    EXPECT_LT(fact(fibres, "contact_iterations"), 500);
+}
+
 TEST(FibreContactOf, TooManyFibresIsReported) {
     FibreValues values = wool();
     values["count"] = std::int64_t{400};
