@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <numeric>
 
 namespace scree::fibres {
 
@@ -65,41 +64,6 @@ int adjust(RigidFibres& fibres, const FibresSettings& settings, const FibreSourc
         lengths[i] = source.segment_length(i) * static_cast<float>(settings.shape.segments);
     const NearestVertices vertices(*settings.target, settings.shape.length.high / 2);
     return adjust_thesis(fibres, vertices, lengths, context);
-}
-
-/// Draws fibres again, and fits those, that are still far outside of the target when fitted: from
-/// one part of it to another across what is outside, where no bending takes them in. Returns how
-/// many there were.
-std::size_t replace_misfits(Placed& placed, const FibresSettings& settings, FibreSource& source,
-                            const SignedDistanceGrid& target, const Context& context) {
-    constexpr int most_draws = 8;
-    const auto far = static_cast<float>(4 * settings.shape.radius);
-    RigidFibres& fibres = placed.rigid;
-    const std::uint32_t n = fibres.vertices;
-    std::vector<std::size_t> misfits(settings.count);
-    std::iota(misfits.begin(), misfits.end(), std::size_t{0});
-    std::size_t all = 0;
-    for (int draw = 0;; ++draw) {
-        std::erase_if(misfits, [&](std::size_t i) {
-            const Pose& pose = fibres.poses[i];
-            return std::ranges::none_of(std::span(&fibres.local[i * n], n), [&](const Vec3& p) {
-                return target.at(pose.centre + rotated(pose.rotation, p)) > far;
-            });
-        });
-        if (draw == 0)
-            all = misfits.size();
-        if (misfits.empty() || draw == most_draws)
-            return all;
-        RigidFibres again{.vertices = n};
-        for (const std::size_t i : misfits) {
-            source.draw_again(i, placed);
-            again.poses.push_back(fibres.poses[i]);
-            again.local.insert(again.local.end(), &fibres.local[i * n], &fibres.local[i * n] + n);
-        }
-        adjust_nearest(again, target, settings.shape.radius, context);
-        for (std::size_t k = 0; k < misfits.size(); ++k)
-            fibres.poses[misfits[k]] = again.poses[k];
-    }
 }
 
 /// Takes each fibre from its own frame to the scene.
@@ -225,8 +189,8 @@ Aggregate bake_fibres(const FibresSettings& settings, const Context& context) {
         facts.emplace_back("root_spacing", places.roots->spacing / settings.shape.radius);
     stages.end("preparing");
     context.report("growing", 0);
-    FibreSource source(settings, places.interior ? &*places.interior : nullptr,
-                       places.roots ? &*places.roots : nullptr);
+    const FibreSource source(settings, places.interior ? &*places.interior : nullptr,
+                             places.roots ? &*places.roots : nullptr);
     Placed placed = source.place_all();
     stages.end("growing");
     if (places.target) {
@@ -235,9 +199,6 @@ Aggregate bake_fibres(const FibresSettings& settings, const Context& context) {
         if (settings.adjustment != Adjustment::none)
             facts.emplace_back("adjusting_iterations",
                                adjust(placed.rigid, settings, source, *places.target, context));
-        if (settings.contact && settings.adjustment == Adjustment::nearest)
-            facts.emplace_back("misfits",
-                               replace_misfits(placed, settings, source, *places.target, context));
         stages.end("adjusting");
         facts.emplace_back("outside_adjusted", outside_of(*places.target, placed.rigid));
     }

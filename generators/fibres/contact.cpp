@@ -85,7 +85,8 @@ void ContactSolver::gather(std::size_t fibre, Moves& moves, ContactMeasure& foun
                                rods_.radii[j] + near.t * (rods_.radii[j + 1] - rods_.radii[j]);
         const float aim = margin * touching;
         const float distance2 = near.between.length2();
-        if (distance2 >= aim * aim)
+        const float asked = only_overlaps_ ? touching : aim;
+        if (distance2 >= asked * asked)
             continue;
         if (pair.other / n != fibre &&
             (is_nearer_beyond(&rods_.points[first], i, n, near.s, near.between) ||
@@ -178,6 +179,8 @@ void ContactSolver::keep_to_bounds(std::size_t fibre, std::uint32_t v, ContactMe
     boundary_.each_excess(p, keep, [&](const Excess& excess) {
         if (stays)
             measure(excess);
+        if (only_overlaps_ && excess.distance <= asked)
+            return;
         p += excess.back;
         if (!start_.empty())
             p -= taken_back(p - start_[vertex], excess.outward, friction_ * excess.distance);
@@ -185,6 +188,7 @@ void ContactSolver::keep_to_bounds(std::size_t fibre, std::uint32_t v, ContactMe
 }
 
 void ContactSolver::apply(float stiffness) {
+    only_overlaps_ = start_.empty() && stiffness == 0;
     constexpr std::size_t block = 16;
     parallel_for((rods_.count() + block - 1) / block, 1, [&](std::size_t b) {
         LengthWork work;

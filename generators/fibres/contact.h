@@ -57,13 +57,14 @@ class ContactSolver {
     Rods& rods_;
     const Boundary& boundary_;
     float friction_;
+    bool only_overlaps_ = false; // what touches without a margin is left alone, to come to an end
     SegmentPairs pairs_;
     std::vector<Vec3> moved_;              // where vertices go
     std::vector<Vec3> start_;              // of the step
     std::vector<std::vector<Vec3>> slid_;  // the slips of pairs by now
     std::vector<ContactMeasure> measures_; // of each fibre
-    // Of each fibre, so that what contact leaves alone is not measured again: whether no move came of
-    // its last measure, and whether it was moved after that.
+    // Of each fibre, so that what contact leaves alone is not measured again: whether no move came
+    // of its last measure, and whether it was moved after that.
     std::vector<std::uint8_t> free_, moves_;
 };
 

@@ -7,6 +7,10 @@ namespace scree::fibres {
 
 namespace {
 
+Random shape_stream(const FibresSettings& settings, std::size_t fibre) {
+    return {settings.seed, Purpose::fibre_shape, fibre};
+}
+
 Vec3 mean(std::span<const Vec3> points) {
     WideVec3 sum(0.0);
     for (const Vec3& p : points)
@@ -20,9 +24,8 @@ void FibreSource::grow(std::size_t fibre, std::span<Vec3> points,
                        std::span<Rotation> frames) const {
     const FibreShape& shape = settings_->shape;
     const std::optional<FibreFlow>& flow = settings_->flow;
-    Random random = stream(Purpose::fibre_shape, fibre);
-    draw_segment_length(shape, random);
-    const float length = segment_length(fibre);
+    Random random = shape_stream(*settings_, fibre);
+    const float length = draw_segment_length(shape, random);
     const Rotation turn = random_rotation(random);
     if (roots_ != nullptr) {
         const Root& root = roots_->all[fibre];
@@ -30,8 +33,8 @@ void FibreSource::grow(std::size_t fibre, std::span<Vec3> points,
         fibres::grow(shape, flow, {root.position, frame}, length, random, points, frames);
         return;
     }
-    Random places = stream(Purpose::fibre_place, fibre);
-    const Vec3 centre = interior_->draw(places);
+    Random place(settings_->seed, Purpose::fibre_place, fibre);
+    const Vec3 centre = interior_->draw(place);
     FibreStart start{centre, turn};
     if (flow) { // grown about where it will be
         const Vec3 along = flow->at(centre);
@@ -44,13 +47,9 @@ void FibreSource::grow(std::size_t fibre, std::span<Vec3> points,
         p += shift;
 }
 
-Random FibreSource::stream(Purpose purpose, std::size_t fibre) const {
-    return {settings_->seed, purpose, fibre + (std::uint64_t(draws_[fibre]) << 32)};
-}
-
 float FibreSource::segment_length(std::size_t fibre) const {
-    Random first(settings_->seed, Purpose::fibre_shape, fibre);
-    return draw_segment_length(settings_->shape, first);
+    Random random = shape_stream(*settings_, fibre);
+    return draw_segment_length(settings_->shape, random);
 }
 
 FibreSource::Placed FibreSource::place_all() const {
@@ -60,25 +59,17 @@ FibreSource::Placed FibreSource::place_all() const {
     placed.rigid.local.resize(settings_->count * vertices);
     placed.rigid.poses.resize(settings_->count);
     placed.normals.resize(settings_->count);
-    parallel_for(settings_->count, 64, [&](std::size_t i) { place(i, placed); });
+    parallel_for(settings_->count, 64, [&](std::size_t i) {
+        std::vector<Rotation> frames(settings_->shape.segments);
+        const std::span<Vec3> points(&placed.rigid.local[i * vertices], vertices);
+        grow(i, points, frames);
+        placed.normals[i] = rotated(frames.front(), Vec3(1, 0, 0));
+        const Vec3 centre = mean(points);
+        placed.rigid.poses[i].centre = centre;
+        for (Vec3& p : points)
+            p -= centre;
+    });
     return placed;
-}
-
-void FibreSource::place(std::size_t fibre, Placed& placed) const {
-    std::vector<Rotation> frames(settings_->shape.segments);
-    const std::uint32_t vertices = placed.rigid.vertices;
-    const std::span<Vec3> points(&placed.rigid.local[fibre * vertices], vertices);
-    grow(fibre, points, frames);
-    placed.normals[fibre] = rotated(frames.front(), Vec3(1, 0, 0));
-    const Vec3 centre = mean(points);
-    placed.rigid.poses[fibre] = {.centre = centre};
-    for (Vec3& p : points)
-        p -= centre;
-}
-
-void FibreSource::draw_again(std::size_t fibre, Placed& placed) {
-    ++draws_[fibre];
-    place(fibre, placed);
 }
 
 } // namespace scree::fibres

@@ -12,7 +12,7 @@ class FibreSource {
   public:
     /// Either in `interior` or on `roots`; what is given must outlive this.
     FibreSource(const FibresSettings& settings, const Interior* interior, const Roots* roots)
-        : settings_(&settings), interior_(interior), roots_(roots), draws_(settings.count) {}
+        : settings_(&settings), interior_(interior), roots_(roots) {}
 
     /// Writes the fibre's vertices [m] and the frames of its segments.
     void grow(std::size_t fibre, std::span<Vec3> points, std::span<Rotation> frames) const;
@@ -27,17 +27,10 @@ class FibreSource {
     };
     Placed place_all() const;
 
-    /// Replaces a fibre by another of its length, elsewhere.
-    void draw_again(std::size_t fibre, Placed& placed);
-
   private:
-    void place(std::size_t fibre, Placed& placed) const;
-    Random stream(Purpose purpose, std::size_t fibre) const;
-
     const FibresSettings* settings_;
     const Interior* interior_;
     const Roots* roots_;
-    std::vector<std::uint32_t> draws_; // of each fibre, after the first
 };
 
 } // namespace scree::fibres
