@@ -12,7 +12,13 @@ namespace {
 
 // "layout: 224 elements, fill 0.430, 0.05 s"
 std::string describe(const Aggregate& aggregate) {
-    std::string out = fmt::format("{}: {} elements", title(aggregate), aggregate.instances.size());
+    std::size_t strands = 0;
+    for (const Instance& instance : aggregate.instances)
+        if (const Strands* shape = aggregate.prototypes[instance.prototype].strands())
+            strands += shape->count();
+    std::string out =
+        strands > 0 ? fmt::format("{}: {} strands", title(aggregate), strands)
+                    : fmt::format("{}: {} elements", title(aggregate), aggregate.instances.size());
     for (const auto& [name, value] : aggregate.facts) {
         if (name == "fill")
             out += fmt::format(", fill {:.3f}", value);
@@ -44,6 +50,8 @@ DescriptionNode Session::description() const {
 
 SceneDraft Session::load() {
     stages_.begin("parse");
+    if (!options_.device.empty() && options_.device != "none")
+        device()->name(); // no such device is an error also where nothing runs on it
     SceneDraft draft = check(description());
     stages_.end();
     return draft;

@@ -19,10 +19,10 @@ constexpr double much_fill = 0.2; // loose fibres are hardly ever denser
 constexpr double bytes_of_vertex = 30;
 constexpr double bytes_of_vertex_in_contact = 200;
 
-/// The mesh of a parameter, moved to the position; null without one.
-std::shared_ptr<const Mesh> placed_mesh(const Params& params, const char* name) {
+/// The mesh of a parameter, moved to the position that another gives; null without one.
+std::shared_ptr<const Mesh> placed_mesh(const Params& params, const char* name, const char* place) {
     auto mesh = params.object<Mesh>(name);
-    const Vec3& position = params.vector3("position");
+    const Vec3& position = params.vector3(place);
     if (!mesh || position == Vec3(0.0F))
         return mesh;
     Mesh moved = *mesh;
@@ -98,11 +98,18 @@ void read_contact(const Params& params, FibresSettings& settings) {
                                  .friction = params.number("friction"),
                                  .max_iterations =
                                      static_cast<int>(params.integer("max_iterations"))};
-    settings.container = params.object<Mesh>("container");
+    settings.container = placed_mesh(params, "container", "container_position");
     if (settings.container && settings.container->triangles.empty())
         throw params.error("container", "the mesh is empty");
     if (params.has("floor"))
         settings.floor = params.number("floor");
+    if (settings.floor && settings.target) {
+        const Box3 box = bounds(*settings.target);
+        if (*settings.floor > double(box.max.y) - 2 * settings.shape.radius)
+            throw params.error("floor",
+                               fmt::format("{:g} is above the target, which ends at {:.4g}",
+                                           *settings.floor, double(box.max.y)));
+    }
     if (settings.gravity && !settings.floor && !settings.container)
         throw params.error("gravity", "is given, but nothing to fall on",
                            "expected floor or container beside it");
@@ -140,9 +147,9 @@ double FibresSettings::fill() const {
 
 FibresSettings fibres_settings(const Params& params) {
     FibresSettings settings;
-    settings.target = placed_mesh(params, "target");
+    settings.target = placed_mesh(params, "target", "position");
     settings.target_place = params.place("target");
-    settings.roots = placed_mesh(params, "roots");
+    settings.roots = placed_mesh(params, "roots", "position");
     check_target(params, settings);
     settings.count = static_cast<std::size_t>(params.integer("count"));
     read_shape(params, settings);

@@ -109,6 +109,11 @@ std::vector<ParamSpec> forming_specs() {
         mesh_spec("container",
                   "What fibres stay out of and rest on or in, such as a bowl: a solid, or a sheet "
                   "when the mesh is open."),
+        {.name = "container_position",
+         .type = ParamType::vector3,
+         .doc = "Where the origin of the container is put; `position` does not move it.",
+         .unit = "m",
+         .fallback = Vec3(0.0F)},
         {.name = "floor",
          .doc = "Height that fibres stay above.",
          .unit = "m",
