@@ -146,6 +146,10 @@ Materials materials_of(const Params& params, const Mesh* shape) {
         if (shape != nullptr && std::holds_alternative<Fibre>(*material))
             throw params.error("material", shape->name + " is a mesh; material.fibre is for curves",
                                "shape = curve.polyline { ... } or another curve.*");
+        if (shape != nullptr && shape->uvs.empty() && shows_picture(*material))
+            params.warn("material", shape->name +
+                                        ": a picture on it is of one colour, since it has "
+                                        "no texture coordinates");
         return {std::move(material)};
     }
     if (!params.has("material"))

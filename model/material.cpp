@@ -60,9 +60,15 @@ bool any_fibre(const Materials& materials) {
     });
 }
 
-bool uses_uv(const Material& material) {
-    const Paint* paint = paint_of(material);
-    return (paint != nullptr && asks_for_uv(*paint)) || is_oriented(material);
+bool has_inside(const Material& material) {
+    return std::holds_alternative<Glass>(material) || std::holds_alternative<Translucent>(material);
 }
+
+bool shows_picture(const Material& material) {
+    const Paint* paint = paint_of(material);
+    return paint != nullptr && asks_for_uv(*paint);
+}
+
+bool uses_uv(const Material& material) { return shows_picture(material) || is_oriented(material); }
 
 } // namespace scree

@@ -134,6 +134,12 @@ const Paint* paint_of(const Materials& materials);
 /// Whether one of them is for strands alone.
 bool any_fibre(const Materials& materials);
 
+/// Whether light goes through it, which must be inside or outside of the shape then.
+bool has_inside(const Material& material);
+
+/// Whether a picture or the like covers it, which UVs put in place.
+bool shows_picture(const Material& material);
+
 /// Whether its look depends on a surface's UVs or tangent, which hits then carry.
 bool uses_uv(const Material& material);
 

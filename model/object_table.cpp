@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/located.h"
 #include "core/random.h"
+#include "geometry/mesh/not_closed.h"
 #include "model/file_material.h"
 #include "model/table.h"
+
+#include <algorithm>
 
 namespace scree {
 
@@ -60,12 +63,41 @@ WideMatrix object_matrix(const Params& params) {
     return WideMatrix(scale * about_x * about_y * about_z) * move;
 }
 
+/// Says what a material that lets light through would show wrongly on the mesh.
+void warn_of_inside(const Params& params, const Mesh& mesh) {
+    const char* const why = "; what is inside of it, and thus how light is bent, is not known";
+    if (const MeshFacts facts = inspect(mesh); !facts.closed())
+        params.warn("material", mesh.name + ": " + not_closed(facts) + why,
+                    "expected a closed mesh for glass and translucent");
+    else if (volume(mesh) < 0)
+        params.warn("material", mesh.name + ": its faces point inwards" + why,
+                    "turn them in the program that made it");
+}
+
+void warn_of_inside(const Params& params, const Prototype& prototype) {
+    if (std::ranges::none_of(prototype.materials,
+                             [](const auto& m) { return m && has_inside(*m); }))
+        return;
+    if (const Mesh* mesh = prototype.mesh())
+        warn_of_inside(params, *mesh);
+    else if (prototype.strands()->kind != CurveKind::linear)
+        params.warn("material",
+                    prototype.name + ": the ends of splines are open; what is inside is not known",
+                    "expected curve.polyline for glass and translucent");
+}
+
 Prototype prototype_of(const Params& params) {
-    if (const auto strands = params.object<Strands>("shape"))
-        return {
+    Prototype prototype;
+    if (const auto strands = params.object<Strands>("shape")) {
+        prototype = {
             .name = strands->name, .shape = strands, .materials = materials_of(params, nullptr)};
-    const auto mesh = params.object<Mesh>("shape");
-    return {.name = mesh->name, .shape = mesh, .materials = materials_of(params, mesh.get())};
+    } else {
+        const auto mesh = params.object<Mesh>("shape");
+        prototype = {
+            .name = mesh->name, .shape = mesh, .materials = materials_of(params, mesh.get())};
+    }
+    warn_of_inside(params, prototype);
+    return prototype;
 }
 
 SceneItem object_item(const Params& params) {
