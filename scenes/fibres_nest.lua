@@ -23,6 +23,6 @@ return scene {
       flow = field.whirl { turn = 90 }, flow_strength = 0.25, seed = arg("seed", 1), gravity = true, floor = 0, stiffness = 1, friction = 0.8,
       material = material.plastic { palette = pile.palette("#6b4f35", "#8a6a45", "#4f3a28", "#9a7c55", "#5d4a3a"), roughness = 0.6 },
     },
-    egg({ -0.015, 0.0242, 0.004 }, 10, "#a9c4c4"), egg({ 0.014, 0.0246, -0.01 }, 70, "#9dbcbd"), egg({ 0.012, 0.0266, 0.021 }, -40, "#a3c1bf"),
+    egg({ -0.015, 0.0247, 0.004 }, 10, "#a9c4c4"), egg({ 0.014, 0.0243, -0.01 }, 70, "#9dbcbd"), egg({ 0.012, 0.0264, 0.021 }, -40, "#a3c1bf"),
   },
 }
