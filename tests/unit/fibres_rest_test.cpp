@@ -94,10 +94,10 @@ TEST(FibreRest, AStackOfCrossedRodsStands) {
     const fibres::RestResult result = come_to_rest(rods, boundary, settings, {});
     EXPECT_TRUE(result.at_rest);
     for (std::size_t i = 0; i < rods.points.size(); ++i) {
-        const auto layer = double(i / 10);
+        const std::size_t layer = i / 10;
         const Vec3 moved = rods.points[i] - before[i];
         EXPECT_LE(std::hypot(moved.x, moved.z), 0.1 * radius) << i;
-        EXPECT_NEAR(double(rods.points[i].y), radius * (1 + 2 * layer), 0.1 * radius) << i;
+        EXPECT_NEAR(double(rods.points[i].y), radius * (1 + 2 * double(layer)), 0.1 * radius) << i;
     }
 }
 
