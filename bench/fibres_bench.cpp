@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Benchmarks of generator.fibres: Tables 5.2 to 5.6 of Sakurai 2013 beside the figures in print,
-// what contact leaves, growth with the number of fibres, and memory.
+// Benchmarks of generator.fibres: Tables 5.2 to 5.5 of Sakurai 2013 beside the figures in print,
+// the balls of Table 5.6, what contact leaves by the number of fibres, and memory.
 #include "bench/measure.h"
 #include "bench/tables.h"
 #include "core/parallel.h"
 #include "formats/read_mesh.h"
 #include "generators/table.h"
-#include "tests/support/component_checks.h"
-#include "tests/support/plugin_params.h"
+#include "tests/support/fibres.h"
 
 #include <sys/resource.h>
 
@@ -31,11 +30,6 @@ Value model(const std::string& file, double size) {
 }
 
 Value bunny(double size) { return model("/usr/share/glmark2/models/bunny.obj", size); }
-
-Value ball() {
-    Mesh mesh = tests::component_mesh("sphere", {{"radius", 1.0}});
-    return SharedObject(std::make_shared<const Mesh>(std::move(mesh)));
-}
 
 /// One bake as C++ on the host.
 struct Run {
@@ -120,7 +114,7 @@ void print_tables() {
         fmt::print(
             "   5.3: SCREE_DRAGON=FILE names a closed mesh of the Stanford dragon, which is in "
             "no package of Debian\n");
-    print_rows(ball(), in_ball);
+    print_rows(tests::ball_target(1), in_ball);
 }
 
 /// Contact at 6.4% of the bunny, whose volume grows with the number of fibres.
@@ -170,6 +164,6 @@ void print_memory() {
 int main(int count, char** arguments) {
     return bench::run_tables(count, arguments,
                              {{"memory", "bytes of a vertex; to be run first", print_memory},
-                              {"tables", "Tables 5.2 to 5.6", print_tables},
+                              {"tables", "Tables 5.2 to 5.5, and the balls of 5.6", print_tables},
                               {"contact", "what contact leaves, by the number", print_contact}});
 }

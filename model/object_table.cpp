@@ -87,17 +87,11 @@ void warn_of_inside(const Params& params, const Prototype& prototype) {
 }
 
 Prototype prototype_of(const Params& params) {
-    Prototype prototype;
-    if (const auto strands = params.object<Strands>("shape")) {
-        prototype = {
+    if (const auto strands = params.object<Strands>("shape"))
+        return {
             .name = strands->name, .shape = strands, .materials = materials_of(params, nullptr)};
-    } else {
-        const auto mesh = params.object<Mesh>("shape");
-        prototype = {
-            .name = mesh->name, .shape = mesh, .materials = materials_of(params, mesh.get())};
-    }
-    warn_of_inside(params, prototype);
-    return prototype;
+    const auto mesh = params.object<Mesh>("shape");
+    return {.name = mesh->name, .shape = mesh, .materials = materials_of(params, mesh.get())};
 }
 
 SceneItem object_item(const Params& params) {
@@ -105,6 +99,7 @@ SceneItem object_item(const Params& params) {
     object.generator = "object";
     object.name = params.text("name");
     object.prototypes.push_back(prototype_of(params));
+    warn_of_inside(params, object.prototypes.front());
     Instance instance;
     instance.world_from_object = object_matrix(params);
     object.instances.push_back(instance);

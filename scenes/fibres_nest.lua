@@ -1,5 +1,6 @@
 -- A bird's nest: stiff twigs that run around a hollow and came to rest on each other.
 local pile = include("parts/pile.lua")
+local nest = include("parts/nest.lua")
 
 -- Their heights are those at which they touch the twigs of seed 1.
 local function egg(position, turn, color)
@@ -16,12 +17,10 @@ return scene {
   objects = {
     pile.table_top(0.2, srgb("#8d9178")),
     generator.fibres {
-      target = mesh.lathe { profile = {
-        { 0, 0 }, { 0.05, 0.002 }, { 0.088, 0.022 }, { 0.1, 0.05 }, { 0.09, 0.062 }, { 0.072, 0.058 }, { 0.055, 0.034 }, { 0.03, 0.022 }, { 0, 0.019 },
-      } },
+      target = nest.shape,
       count = arg("count", 900), length = { 0.08, 0.17 }, segments = 24, radius = mm(0.8), taper = 0.6, theta = { -5, 6 }, phi = { -20, 20 },
       flow = field.whirl { turn = 90 }, flow_strength = 0.25, seed = arg("seed", 1), gravity = true, floor = 0, stiffness = 1, friction = 0.8,
-      material = material.plastic { palette = pile.palette("#6b4f35", "#8a6a45", "#4f3a28", "#9a7c55", "#5d4a3a"), roughness = 0.6 },
+      material = nest.twigs,
     },
     egg({ -0.015, 0.0247, 0.004 }, 10, "#a9c4c4"), egg({ 0.014, 0.0243, -0.01 }, 70, "#9dbcbd"), egg({ 0.012, 0.0264, 0.021 }, -40, "#a3c1bf"),
   },

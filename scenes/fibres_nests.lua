@@ -1,18 +1,16 @@
 -- Four kinds of nests (Sakurai 2013, figure 5.11): straight twigs, bent to both sides, bent evenly, bent at random.
 local pile = include("parts/pile.lua")
+local nest = include("parts/nest.lua")
 local figures = include("parts/fibre_figures.lua")
 
-local nest = mesh.lathe { profile = {
-  { 0, 0 }, { 0.05, 0.002 }, { 0.088, 0.022 }, { 0.1, 0.05 }, { 0.09, 0.062 }, { 0.072, 0.058 }, { 0.055, 0.034 }, { 0.03, 0.022 }, { 0, 0.019 },
-} }
 local objects = { pile.table_top(0.2, srgb("#8d9178")) }
 for i, name in ipairs { "5.11b", "5.11c", "5.11d", "5.11e" } do
   local figure = figures(name)
   objects[#objects + 1] = generator.fibres {
-    name = name, target = nest, position = { ((i - 1) % 2 - 0.5) * 0.24, 0.001, (i > 2 and 0.13 or -0.13) },
+    name = name, target = nest.shape, position = { ((i - 1) % 2 - 0.5) * 0.24, 0.001, (i > 2 and 0.13 or -0.13) },
     count = arg("count", figure.count), length = 0.07, segments = figure.segments, radius = mm(0.55), taper = 0.6,
     theta = figure.theta, phi = figure.phi, contact = arg("contact", true), seed = i,
-    material = material.plastic { palette = pile.palette("#6b4f35", "#8a6a45", "#4f3a28", "#9a7c55", "#5d4a3a"), roughness = 0.6 },
+    material = nest.twigs,
   }
 end
 

@@ -29,7 +29,7 @@ void Boundary::add(std::shared_ptr<const Mesh> mesh, std::shared_ptr<const Signe
                    bool sheet, float sign) {
     const auto step = static_cast<float>(grid->step());
     auto surface = std::make_shared<const NearestSurface>(*mesh);
-    auto sides = std::make_shared<const SideNormals>(*mesh);
+    auto sides = sheet ? nullptr : std::make_shared<const SideNormals>(*mesh);
     const bool inside_out = !sheet && volume(*mesh) < 0;
     solids_.push_back({.mesh = std::move(mesh),
                        .grid = std::move(grid),
@@ -92,8 +92,7 @@ Excess Boundary::Solid::straight_excess(const Vec3& p, float keep, float coarse)
     const float facing = inside_out ? -1 : 1;
     const Vec3 normal = near->normal * facing;
     const auto is_behind = [&] {
-        const bool behind =
-            way.dot(sides->at(*mesh, near->triangle, Vec3(near->position))) * facing < 0;
+        const bool behind = way.dot(sides->at(near->triangle, Vec3(near->position))) * facing < 0;
         // Where facets fold over each other normals mislead.
         if (behind != (coarse < 0) && distance > keep / 4)
             return std::abs(winding_number(*mesh, Imath::V3d(p))) > 0.5;

@@ -32,8 +32,9 @@ class Boundary {
     /// are asked in turn, of the place where `p` is by then. Near meshes distances are exact.
     template <class Found>
     void each_excess(const Vec3& p, float keep, const Found& found) const {
-        if (floor_ && *floor_ + keep > p.y)
-            found(Excess{*floor_ + keep - p.y, Vec3(0, -1, 0), Vec3(0, *floor_ + keep - p.y, 0)});
+        if (floor_)
+            if (const float below = *floor_ + keep - p.y; below > 0)
+                found(Excess{below, Vec3(0, -1, 0), Vec3(0, below, 0)});
         for (const Solid& solid : solids_)
             if (const float coarse = solid.grid->at(p); solid.sign * coarse > -keep - solid.step)
                 if (const Excess excess = solid.excess(p, keep, coarse); excess.distance > 0)
@@ -53,9 +54,9 @@ class Boundary {
         std::shared_ptr<const SignedDistanceGrid>
             grid; // tells inside from outside, and what is far from the surface
         std::shared_ptr<const NearestSurface> surface;
-        std::shared_ptr<const SideNormals> sides;
-        float sign = 1; // 1: stay inside; -1: stay outside
-        float step = 0; // of the grid, more than its error [m]
+        std::shared_ptr<const SideNormals> sides; // of no sheet
+        float sign = 1;                           // 1: stay inside; -1: stay outside
+        float step = 0;                           // of the grid, more than its error [m]
         bool sheet = false;
         bool inside_out = false; // the normals point inwards
 

@@ -4,6 +4,7 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace scree::fibres {

@@ -45,12 +45,11 @@ void SegmentPairs::update(const Rods& rods) {
     fill_grid(rods);
     pairs_.resize(rods.count());
     parallel_for(rods.count(), 16, [&](std::size_t fibre) {
-        std::vector<Pair> before;
-        if (!slips_.empty())
-            before = pairs_[fibre];
-        list_pairs(rods, fibre, pairs_[fibre]);
-        if (!slips_.empty())
-            carry_slips(fibre, before);
+        if (slips_.empty())
+            return list_pairs(rods, fibre);
+        const std::vector<Pair> before = pairs_[fibre];
+        list_pairs(rods, fibre);
+        carry_slips(fibre, before);
     });
 }
 
@@ -111,12 +110,13 @@ void SegmentPairs::fill_grid(const Rods& rods) {
         entries_[next[cell_of_[s]]++] = {middle_of(rods, s), static_cast<std::uint32_t>(s)};
 }
 
-void SegmentPairs::list_pairs(const Rods& rods, std::size_t fibre, std::vector<Pair>& pairs) const {
+void SegmentPairs::list_pairs(const Rods& rods, std::size_t fibre) {
     const std::uint32_t n = rods.segments;
     const float radius = *std::ranges::max_element(rods.radii);
     // Segments of one fibre less than this apart are not paired.
     const auto apart =
         std::max(2U, 1 + static_cast<std::uint32_t>(std::ceil(4 * radius / rods.lengths[fibre])));
+    std::vector<Pair>& pairs = pairs_[fibre];
     pairs.clear();
     for (std::uint32_t i = 0; i < n; ++i) {
         const Vec3& p = rods.points[fibre * (n + 1) + i];

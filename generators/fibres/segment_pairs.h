@@ -70,7 +70,7 @@ class SegmentPairs {
     };
     bool is_valid(const Rods& rods) const;
     void fill_grid(const Rods& rods);
-    void list_pairs(const Rods& rods, std::size_t fibre, std::vector<Pair>& pairs) const;
+    void list_pairs(const Rods& rods, std::size_t fibre);
     void carry_slips(std::size_t fibre, std::span<const Pair> before);
 
     float margin_;

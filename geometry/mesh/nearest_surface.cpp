@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/mesh/nearest_surface.h"
 
+#include "geometry/mesh/triangle_corners.h"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -10,11 +12,6 @@ namespace scree {
 namespace {
 
 constexpr std::uint32_t leaf_size = 4;
-
-std::array<Vec3, 3> corners_of(const Mesh& mesh, std::uint32_t triangle) {
-    const Mesh::Triangle& t = mesh.triangles[triangle];
-    return {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
-}
 
 Vec3 middle_of(const Mesh& mesh, std::uint32_t triangle) {
     const auto [a, b, c] = corners_of(mesh, triangle);

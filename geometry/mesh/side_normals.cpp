@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/mesh/side_normals.h"
 
+#include "geometry/mesh/triangle_corners.h"
+
 #include <algorithm>
 #include <limits>
 #include <numbers>
@@ -10,17 +12,12 @@ namespace scree {
 
 namespace {
 
-constexpr float on_edge =
-    1e-4F; // distance from an edge or a corner that is on it, over the longest edge
-constexpr float thin = 1e-4F; // height over the longest edge below which a facet has no normal
+// Lengths over the longest edge.
+constexpr float on_edge = 1e-4F; // distance of a place that is on an edge or a corner
+constexpr float thin = 1e-4F;    // height of a facet that is too thin for a normal
 
 std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
     return (std::uint64_t(std::min(a, b)) << 32) | std::max(a, b);
-}
-
-std::array<Vec3, 3> corners_of(const Mesh& mesh, std::size_t triangle) {
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
 float longest_edge2(const std::array<Vec3, 3>& p) {
@@ -56,7 +53,7 @@ double winding_number(const Mesh& mesh, const Imath::V3d& p) {
     return sum / (2 * std::numbers::pi);
 }
 
-SideNormals::SideNormals(const Mesh& mesh) : normals_(mesh.triangles.size()) {
+SideNormals::SideNormals(const Mesh& mesh) : mesh_(&mesh), normals_(mesh.triangles.size()) {
     const std::vector<std::uint32_t> welded = weld(mesh);
     std::vector<Vec3> around(mesh.positions.size(), Vec3(0.0F));
     std::unordered_map<std::uint64_t, Vec3> edges;
@@ -84,9 +81,9 @@ SideNormals::SideNormals(const Mesh& mesh) : normals_(mesh.triangles.size()) {
         }
 }
 
-Vec3 SideNormals::at(const Mesh& mesh, std::uint32_t triangle, const Vec3& place) const {
+Vec3 SideNormals::at(std::uint32_t triangle, const Vec3& place) const {
     const Normals& normals = normals_[triangle];
-    const auto p = corners_of(mesh, triangle);
+    const auto p = corners_of(*mesh_, triangle);
     const float most = on_edge * std::sqrt(longest_edge2(p));
     std::size_t nearest = 0;
     float least = std::numeric_limits<float>::infinity();

@@ -14,11 +14,12 @@ double winding_number(const Mesh& mesh, const Imath::V3d& p);
 /// distance, also at edges and corners (Baerentzen & Aanaes 2005).
 class SideNormals {
   public:
+    /// `mesh` must outlive this.
     explicit SideNormals(const Mesh& mesh);
 
-    /// At a place on a triangle of that mesh: the normal of the facet, the sum of those of an
+    /// At a place on a triangle: the normal of the facet, the sum of those of an
     /// edge's facets, or, at a corner, of all around it by their angles. Of any length.
-    Vec3 at(const Mesh& mesh, std::uint32_t triangle, const Vec3& place) const;
+    Vec3 at(std::uint32_t triangle, const Vec3& place) const;
 
   private:
     struct Normals {
@@ -26,6 +27,7 @@ class SideNormals {
         std::array<Vec3, 3> corners;
         std::array<Vec3, 3> opposite; // of the edge opposite of each corner
     };
+    const Mesh* mesh_;
     std::vector<Normals> normals_; // of each triangle
 };
 

@@ -2,12 +2,14 @@
 // Fibres for tests, and measures of them in double that share nothing with the generator.
 #pragma once
 
+#include "core/parallel.h"
 #include "generators/table.h"
 #include "tests/support/aggregates.h"
 #include "tests/support/component_checks.h"
 #include "tests/support/plugin_params.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -28,6 +30,24 @@ inline SharedObject ball_target(double radius) {
 
 inline Aggregate bake_fibres(const FibreValues& values, const Context& context = {}) {
     return make(generator_table(), "fibres", values)(context);
+}
+
+inline std::shared_ptr<const Strands> strands_of(const Aggregate& aggregate) {
+    return std::get<std::shared_ptr<const Strands>>(aggregate.prototypes.at(0).shape);
+}
+
+/// Bakes on each number of threads; the first at which points have other bytes than without a
+/// limit, 0 if there is none.
+inline int threads_that_differ(const FibreValues& values, std::initializer_list<int> threads) {
+    const auto first = strands_of(bake_fibres(values));
+    for (const int number : threads) {
+        const ThreadLimit limit(number);
+        const auto again = strands_of(bake_fibres(values));
+        if (std::memcmp(first->points.data(), again->points.data(),
+                        first->points.size() * sizeof(Vec3)) != 0)
+            return number;
+    }
+    return 0;
 }
 
 /// The vertices of one strand.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // generator.fibres: what contact leaves, measured in double by code that shares nothing with it.
-#include "core/parallel.h"
 #include "formats/read_mesh.h"
 #include "geometry/mesh/signed_distance_grid.h"
 #include "tests/support/fibres.h"
@@ -8,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <filesystem>
 
 namespace scree {
@@ -17,10 +15,7 @@ namespace {
 using tests::bake_fibres;
 using tests::fact;
 using tests::FibreValues;
-
-std::shared_ptr<const Strands> strands_of(const Aggregate& aggregate) {
-    return std::get<std::shared_ptr<const Strands>>(aggregate.prototypes.at(0).shape);
-}
+using tests::strands_of;
 
 /// 2,048 fibres of 32 segments that fill 6.4% of a ball of diameter 2.
 constexpr double radius = 0.00645;
@@ -112,15 +107,7 @@ TEST(FibreContactOf, TheBunnyFillsItEvenly) {
 TEST(FibreThreads, DoNotChangeTheBytes) {
     FibreValues values = wool();
     values["count"] = std::int64_t{400};
-    const auto first = strands_of(bake_fibres(values));
-    for (const int threads : {1, 2, 4, 8}) {
-        const ThreadLimit limit(threads);
-        const auto again = strands_of(bake_fibres(values));
-        EXPECT_EQ(std::memcmp(first->points.data(), again->points.data(),
-                              first->points.size() * sizeof(Vec3)),
-                  0)
-            << threads;
-    }
+    EXPECT_EQ(tests::threads_that_differ(values, {1, 2, 4, 8}), 0);
 }
 
 TEST(FibreContactOf, TaperedFibresOfVariousLengthsIsMet) {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // generator.fibres: fibres that fall and come to rest.
-#include "core/parallel.h"
 #include "generators/fibres/rest.h"
 #include "tests/support/fibres.h"
 
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 namespace scree {
 namespace {
@@ -14,10 +11,7 @@ namespace {
 using tests::bake_fibres;
 using tests::fact;
 using tests::FibreValues;
-
-std::shared_ptr<const Strands> strands_of(const Aggregate& aggregate) {
-    return std::get<std::shared_ptr<const Strands>>(aggregate.prototypes.at(0).shape);
-}
+using tests::strands_of;
 
 constexpr double radius = 0.01;
 
@@ -101,7 +95,7 @@ TEST(FibreRest, AStackOfCrossedRodsStands) {
     }
 }
 
-/// Noodles over a bowl.
+/// Noodles over a floor.
 FibreValues noodles() {
     return {{"target", tests::ball_target(0.3)},
             {"floor", 0.0},
@@ -166,15 +160,7 @@ TEST(FibreRest, KeepsOutOfAContainer) {
 TEST(FibreRest, ThreadsDoNotChangeTheBytes) {
     FibreValues values = noodles();
     values["count"] = std::int64_t{20};
-    const auto first = strands_of(bake_fibres(values));
-    for (const int threads : {1, 3}) {
-        const ThreadLimit limit(threads);
-        const auto again = strands_of(bake_fibres(values));
-        EXPECT_EQ(std::memcmp(first->points.data(), again->points.data(),
-                              first->points.size() * sizeof(Vec3)),
-                  0)
-            << threads;
-    }
+    EXPECT_EQ(tests::threads_that_differ(values, {1, 3}), 0);
 }
 
 } // namespace

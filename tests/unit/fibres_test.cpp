@@ -16,6 +16,7 @@ namespace {
 using namespace fibres;
 using tests::bake_fibres;
 using tests::FibreValues;
+using tests::strands_of;
 
 /// Fibres as grown and placed, in a ball of diameter 2.
 FibreValues grown() {
@@ -23,10 +24,6 @@ FibreValues grown() {
             {"count", std::int64_t{500}},
             {"adjustment", std::string("none")},
             {"contact", false}};
-}
-
-std::shared_ptr<const Strands> strands_of(const Aggregate& aggregate) {
-    return std::get<std::shared_ptr<const Strands>>(aggregate.prototypes.at(0).shape);
 }
 
 std::shared_ptr<const Strands> bake(const FibreValues& values) {

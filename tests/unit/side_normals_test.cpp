@@ -35,7 +35,7 @@ TEST(SideNormals, TellTheSideAtFacetsEdgesAndCorners) {
         const bool inside = p.y > 0 && std::max(std::abs(p.x), std::abs(p.z)) < half;
         if (near.distance < 1e-5)
             continue;
-        EXPECT_EQ(way.dot(sides.at(mesh, near.triangle, Vec3(near.position))) < 0, inside) << p;
+        EXPECT_EQ(way.dot(sides.at(near.triangle, Vec3(near.position))) < 0, inside) << p;
         at_edges += std::abs(std::abs(near.position.x) - std::abs(near.position.z)) < 1e-6 ? 1 : 0;
         EXPECT_NEAR(winding_number(mesh, p), inside ? 1 : 0, 1e-9);
     }
@@ -50,7 +50,7 @@ TEST(SideNormals, AreNotMisledByATriangleWithoutArea) {
                       {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}};
     const SideNormals sides(mesh);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Vec3 normal = sides.at(mesh, t, Vec3(0, 0, -1));
+        const Vec3 normal = sides.at(t, Vec3(0, 0, -1));
         if (t == 0 || t == 1 || t == 3 || t == 4) {
             EXPECT_GT(normal.dot(Vec3(0, -0.1F, -0.1F)), 0) << t;
             EXPECT_LT(normal.dot(Vec3(0, 0.1F, 0.1F)), 0) << t;
