@@ -3,17 +3,15 @@
 #pragma once
 
 #include "core/file.h"
+#include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <sys/wait.h>
 
 namespace scree::tests {
-
-namespace fs = std::filesystem;
 
 struct Outcome {
     int code = -1;
@@ -23,25 +21,18 @@ struct Outcome {
 
 class CliTest : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "scree-cli-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.file(name); }
 
     /// Runs the program in the test's folder.
     Outcome run(const std::string& arguments, const std::string& environment = "") const {
-        const std::string command = "cd '" + folder_.string() + "' && " + environment + " '" +
-                                    SCREE_PROGRAM + "' " + arguments + " >out.txt 2>err.txt";
+        const std::string command = "cd '" + folder_.path().string() + "' && " + environment +
+                                    " '" + SCREE_PROGRAM + "' " + arguments + " >out.txt 2>err.txt";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(path("out.txt")),
                 read_file(path("err.txt"))};
     }
 
-    fs::path folder_;
+    test::Folder folder_;
 };
 
 } // namespace scree::tests

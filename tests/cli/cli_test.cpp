@@ -288,7 +288,7 @@ TEST_F(Cli, ReferencePageIsUpToDate) {
 
 TEST_F(Cli, CtrlCKeepsThePictureSoFar) {
     const std::string command =
-        "cd '" + folder_.string() + "'; '" + SCREE_PROGRAM +
+        "cd '" + folder_.path().string() + "'; '" + SCREE_PROGRAM +
         "' render small.lua -o a.exr --spp 1000000 2>err.txt & "
         "for i in $(seq 300); do grep -q layout: err.txt && break; sleep 0.1; done; "
         "sleep 1; kill -INT $!; wait $!";

@@ -9,12 +9,11 @@
 #include "scenes/reader/scene.h"
 #include "session/catalog.h"
 #include "session/export_scene.h"
+#include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <unistd.h>
 
 namespace scree {
 
@@ -25,8 +24,6 @@ SceneFormat csv_format();
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A scene with the generator and the procedural of the examples.
 const char* const script = R"(
 local stripes = material.matte { color = procedural.layers { thickness = 0.02 } }
@@ -35,11 +32,6 @@ return scene { objects = {
   object { shape = mesh.sphere {}, material = stripes },
   object { shape = mesh.plane { size = 1 }, material = material.dust { color = { 0.5, 1, 0 } } } } }
 )";
-
-std::string temporary_file(const std::string& ending) {
-    const std::string name = "example_" + std::to_string(getpid()) + ending;
-    return (fs::path(testing::TempDir()) / name).string();
-}
 
 /// Returns what `use` returns for a session with the examples and its scene.
 template <typename Use>
@@ -55,12 +47,9 @@ auto with_baked(Use use) {
     materials.add(dust_plugin());
     catalog.add(materials);
 
-    const std::string path = temporary_file(".lua");
-    write_file(path, script);
-    Session session({.path = path}, catalog);
-    Scene scene = session.bake(session.load());
-    fs::remove(path);
-    return use(session, std::move(scene));
+    const test::Folder folder;
+    Session session({.path = folder.write("scene.lua", script)}, catalog);
+    return use(session, session.bake(session.load()));
 }
 
 Scene baked() {
@@ -113,7 +102,8 @@ TEST(Examples, TheMaterialScattersAsItsFormulaSays) {
 }
 
 TEST(Examples, TheFormatWritesWhatWasGenerated) {
-    const std::string path = temporary_file(".csv");
+    const test::Folder folder;
+    const std::string path = folder.file("bake.csv");
     with_baked([&](Session& session, Scene scene) {
         const std::vector<SceneFormat> formats{csv_format()};
         const SceneFormat& format = scene_format(formats, path);
@@ -124,7 +114,6 @@ TEST(Examples, TheFormatWritesWhatWasGenerated) {
                                "copy,0.2,0,0\n"
                                "copy,0.4,0,0\n"
                                "copy,0.6,0,0\n");
-    fs::remove(path);
 }
 
 } // namespace

@@ -5,36 +5,13 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/picture.h"
+#include "tests/support/folder.h"
 
 #include <array>
-#include <filesystem>
 #include <functional>
 #include <string>
-#include <unistd.h>
 
 namespace scree::test {
-
-/// A temporary folder, which is removed by the destructor.
-class Folder {
-  public:
-    Folder()
-        : path_(std::filesystem::temp_directory_path() /
-                ("scree_pictures_" + std::to_string(getpid()))) {
-        std::filesystem::create_directories(path_);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path_); }
-
-    std::string file(const std::string& name) const { return (path_ / name).string(); }
-    std::string write(const std::string& name, const std::string& bytes) const {
-        write_file(file(name), bytes);
-        return file(name);
-    }
-
-  private:
-    std::filesystem::path path_;
-};
 
 using Look = std::function<std::array<float, 4>(double x, double y)>; // linear, not premultiplied
 

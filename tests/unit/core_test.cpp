@@ -7,6 +7,7 @@
 #include "core/registry.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/plane/region.h"
+#include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,24 +15,17 @@
 #include <filesystem>
 #include <fstream>
 #include <sys/stat.h>
-#include <unistd.h>
 
 namespace scree {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Folder : public testing::Test {
+class FolderTest : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "scree-core-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        path_ = name;
-    }
-    void TearDown() override { fs::remove_all(path_); }
-    std::string path(const std::string& name) const { return (path_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.file(name); }
 
-    fs::path path_;
+    test::Folder folder_;
 };
 
 std::string message_of(const std::function<void()>& body) {
@@ -235,7 +229,7 @@ TEST(RegistryTable, RefusesADuplicate) {
     EXPECT_EQ(table.find("two"), nullptr);
 }
 
-TEST_F(Folder, WritesAtomicallyAndKeepsTheOldFileOnFailure) {
+TEST_F(FolderTest, WritesAtomicallyAndKeepsTheOldFileOnFailure) {
     const std::string file = path("a.txt");
     write_file(file, "old");
     EXPECT_EQ(read_file(file), "old");
@@ -246,18 +240,18 @@ TEST_F(Folder, WritesAtomicallyAndKeepsTheOldFileOnFailure) {
                                   }),
                  Error);
     EXPECT_EQ(read_file(file), "old");
-    EXPECT_EQ(std::distance(fs::directory_iterator(path_), fs::directory_iterator()), 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
 }
 
-TEST_F(Folder, SaysWhyAFileCannotBeReadOrWritten) {
+TEST_F(FolderTest, SaysWhyAFileCannotBeReadOrWritten) {
     EXPECT_EQ(message_of([&] { read_file(path("none.txt")); }),
               path("none.txt") + ": no such file");
-    EXPECT_EQ(message_of([&] { read_file(path_.string()); }),
-              path_.string() + ": is a folder, not a file");
+    EXPECT_EQ(message_of([&] { read_file(folder_.path().string()); }),
+              folder_.path().string() + ": is a folder, not a file");
     EXPECT_EQ(message_of([&] { write_file(path("no/such/x.txt"), ""); }),
               "cannot write " + path("no/such/x.txt") + ": no such folder " + path("no/such"));
-    EXPECT_EQ(message_of([&] { write_file(path_.string(), ""); }),
-              "cannot write " + path_.string() + ": is a folder");
+    EXPECT_EQ(message_of([&] { write_file(folder_.path().string(), ""); }),
+              "cannot write " + folder_.path().string() + ": is a folder");
 }
 
 TEST(FileNames, EndingAndRelativePaths) {

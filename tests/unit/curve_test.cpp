@@ -5,12 +5,11 @@
 #include "geometry/mesh/strand_spline.h"
 #include "shapes/table.h"
 #include "tests/support/errors.h"
+#include "tests/support/folder.h"
 #include "tests/support/plugin_params.h"
 #include "tests/support/strands.h"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
 
 namespace scree {
 namespace {
@@ -115,12 +114,7 @@ TEST(Curve, RadiiOfASplineAreNeverNegative) {
 
 class CurveFile : public testing::Test {
   protected:
-    CurveFile() : folder(std::filesystem::path(testing::TempDir()) / "scree_curves") {
-        std::filesystem::create_directories(folder);
-    }
-    ~CurveFile() override { std::filesystem::remove_all(folder); }
-
-    std::string path(const std::string& name) const { return (folder / name).string(); }
+    std::string path(const std::string& name) const { return folder.file(name); }
     Strands read(const std::string& name, const std::string& text,
                  const std::map<std::string, Value>& more = {}) const {
         write_file(path(name), text);
@@ -134,7 +128,7 @@ class CurveFile : public testing::Test {
         return at == std::string::npos ? all : all.substr(at);
     }
 
-    std::filesystem::path folder;
+    test::Folder folder;
 };
 
 const std::string corners = "v 0 0 0\nv 0 1 0\nv 0 2 0\nv 1 2 0\nv 5 5 5\nv 6 6 6\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/device.h"
 #include "core/error.h"
+#include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
-
-#include <unistd.h>
 
 namespace scree {
 
@@ -40,25 +39,21 @@ void expect_doubled() {
 class DeviceTest : public testing::Test {
   protected:
     void SetUp() override {
-        folder_ = std::filesystem::temp_directory_path() /
-                  ("scree_device_test_" + std::to_string(std::rand()) + std::to_string(getpid()));
-        std::filesystem::create_directories(folder_);
-        setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
+        setenv("XDG_CACHE_HOME", folder_.path().c_str(), 1);
         // PoCL has a cache too, which must not be in the temporary folder of a test.
         setenv("POCL_CACHE_DIR", std::filesystem::temp_directory_path().c_str(), 0);
     }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
 
     std::vector<std::filesystem::path> cached() const {
         std::vector<std::filesystem::path> files;
-        if (std::filesystem::exists(folder_ / "scree"))
-            for (const auto& entry : std::filesystem::directory_iterator(folder_ / "scree"))
+        if (std::filesystem::exists(folder_.path() / "scree"))
+            for (const auto& entry : std::filesystem::directory_iterator(folder_.path() / "scree"))
                 if (entry.path().filename().string().starts_with("kernel-"))
                     files.push_back(entry.path());
         return files;
     }
 
-    std::filesystem::path folder_;
+    test::Folder folder_;
 };
 
 TEST_F(DeviceTest, RunsAKernelAndCachesIt) {

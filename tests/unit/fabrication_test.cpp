@@ -8,12 +8,11 @@
 #include "formats/write_3mf.h"
 #include "formats/write_stl.h"
 #include "tests/support/fabrication_parts.h"
+#include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
 
 #include <Model/COM/NMR_DLLInterfaces.h>
-
-#include <filesystem>
 
 namespace scree {
 namespace {
@@ -125,9 +124,7 @@ TEST(Fabrication, EnclosedVoidsAreFilledOrKept) {
 
 class FabricationFile : public testing::Test {
   protected:
-    std::string path(const std::string& name) {
-        return (std::filesystem::path(testing::TempDir()) / ("fabrication_" + name)).string();
-    }
+    std::string path(const std::string& name) const { return folder.file(name); }
     Mesh solid(int threads = 0) {
         const ThreadLimit limit(threads);
         FabricationOptions options;
@@ -135,6 +132,7 @@ class FabricationFile : public testing::Test {
         options.resolution = 0.5 * mm;
         return made_of(two_balls(0.012F), options).mesh;
     }
+    test::Folder folder;
 };
 
 TEST_F(FabricationFile, StlReadsBackInMillimetresWithZUp) {

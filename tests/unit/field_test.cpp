@@ -7,13 +7,12 @@
 #include "shapes/field/plain_fields.h"
 #include "shapes/field/sampled_function.h"
 #include "shapes/table.h"
+#include "tests/support/folder.h"
 #include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -242,20 +241,14 @@ TEST(Field, InvalidSamplesAreRejected) {
 
 class ImageField : public testing::Test {
   protected:
-    void SetUp() override {
-        path_ = (std::filesystem::path(testing::TempDir()) /
-                 ("field_image_" + std::to_string(getpid()) + ".png"))
-                    .string();
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
-
     std::shared_ptr<const Field> read(const std::map<std::string, Value>& values) {
         std::map<std::string, Value> all = values;
         all["path"] = path_;
         return tests::make(field_table(), "image", all);
     }
 
-    std::string path_;
+    test::Folder folder_;
+    std::string path_ = folder_.file("field.png");
 };
 
 TEST_F(ImageField, TopRowIsFarAndStoredValuesCount) {

@@ -7,14 +7,13 @@
 #include "geometry/mesh/mesh_material.h"
 #include "model/file_material.h"
 #include "render/paint.h"
+#include "tests/support/folder.h"
 #include "tests/support/gltf_builder.h"
 #include "tests/support/rendering.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <functional>
-#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -321,18 +320,15 @@ TEST(FileMaterial, ShapesWithoutMaterials) {
 }
 
 TEST(FileMaterial, OfObj) {
-    const std::string folder = (std::filesystem::temp_directory_path() /
-                                ("scree_file_material_" + std::to_string(getpid())))
-                                   .string();
-    std::filesystem::create_directories(folder);
-    write_file(folder + "/my paints.mtl",
-               "newmtl red\nKd 1 0 0\nbump a.png\nnewmtl blue paint\nKd 0 0 1\nKs 0.2\nNs 30\n");
+    const test::Folder folder;
+    folder.write("my paints.mtl",
+                 "newmtl red\nKd 1 0 0\nbump a.png\nnewmtl blue paint\nKd 0 0 1\nKs 0.2\nNs 30\n");
     // A square of red, a pentagon of blue paint, a triangle of none, another of red.
-    write_file(folder + "/two.obj",
-               "mtllib my paints.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 2 0 0\nv 2 0 1\n"
-               "f 1 2 3\nusemtl red\nf 1 2 3 4\nusemtl blue paint\nf 4 3 6 5 4\nusemtl red\n"
-               "f 1 2 3\n");
-    const Mesh mesh = read_mesh(folder + "/two.obj");
+    folder.write("two.obj",
+                 "mtllib my paints.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 2 0 0\nv 2 0 1\n"
+                 "f 1 2 3\nusemtl red\nf 1 2 3 4\nusemtl blue paint\nf 4 3 6 5 4\nusemtl red\n"
+                 "f 1 2 3\n");
+    const Mesh mesh = read_mesh(folder.file("two.obj"));
     ASSERT_EQ(mesh.triangles.size(), mesh.parts.size());
     EXPECT_EQ(mesh.parts.front(), 0); // without
     EXPECT_EQ(mesh.parts[1], 1);
@@ -348,7 +344,6 @@ TEST(FileMaterial, OfObj) {
     EXPECT_EQ(plastic.paint.texture.constant, Color(0, 0, 1));
     EXPECT_EQ(plastic.roughness, 0.5F);
     EXPECT_EQ(asked.warned(), "a.lua:4: object.material: two.obj: not honoured: bump of red");
-    std::filesystem::remove_all(folder);
 }
 
 TEST(FileMaterial, AreMadeOnce) {

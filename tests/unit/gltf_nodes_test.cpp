@@ -3,13 +3,13 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "formats/read_mesh.h"
+#include "tests/support/folder.h"
 #include "tests/support/gltf_builder.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <functional>
-#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -285,11 +285,9 @@ TEST(GltfNodes, DamagedSkins) {
 class GltfFiles : public testing::Test {
   protected:
     void SetUp() override { std::filesystem::create_directories(folder + "/sub folder"); }
-    void TearDown() override { std::filesystem::remove_all(folder); }
 
-    std::string folder =
-        (std::filesystem::temp_directory_path() / ("scree_gltf_" + std::to_string(getpid())))
-            .string();
+    test::Folder temporary;
+    std::string folder = temporary.path().string();
 };
 
 TEST_F(GltfFiles, UrisOfBuffers) {

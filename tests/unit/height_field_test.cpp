@@ -3,10 +3,10 @@
 #include "core/file.h"
 #include "core/random.h"
 #include "geometry/plane/height_field.h"
+#include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <limits>
 
 namespace scree {
@@ -28,14 +28,7 @@ Vec2 centre_of(const HeightField& field, int x, int y) {
 
 class HeightFile : public testing::Test {
   protected:
-    void SetUp() override {
-        std::string name =
-            (std::filesystem::temp_directory_path() / "scree-height-XXXXXX").string();
-        ASSERT_NE(mkdtemp(name.data()), nullptr);
-        folder_ = name;
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.file(name); }
     std::string message_of(const std::string& name) const {
         try {
             read_height(path(name));
@@ -44,7 +37,7 @@ class HeightFile : public testing::Test {
         }
         return "no error";
     }
-    std::filesystem::path folder_;
+    test::Folder folder_;
 };
 
 TEST(HeightField, MeetsItsPixelsAtTheirCentres) {

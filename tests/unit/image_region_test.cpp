@@ -6,14 +6,13 @@
 #include "geometry/plane/image_outline.h"
 #include "geometry/plane/region_tools.h"
 #include "shapes/table.h"
+#include "tests/support/folder.h"
 #include "tests/support/plugin_params.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <ctime>
-#include <filesystem>
-#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -162,13 +161,6 @@ TEST(ImageOutline, NoiseGivesValidRegions) {
 
 class ImageRegion : public testing::Test {
   protected:
-    void SetUp() override {
-        path_ = (std::filesystem::path(testing::TempDir()) /
-                 ("image_region_" + std::to_string(getpid()) + ".png"))
-                    .string();
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
-
     /// Writes a white image with this alpha.
     void write(const Picture& alpha) {
         Image image(alpha.width, alpha.height, {"R", "G", "B", "A"});
@@ -186,7 +178,8 @@ class ImageRegion : public testing::Test {
         return tests::make(region_table(), "image", values);
     }
 
-    std::string path_;
+    test::Folder folder_;
+    std::string path_ = folder_.file("region.png");
 };
 
 TEST_F(ImageRegion, SizeIsTheOutlinesAndWidthTheImages) {

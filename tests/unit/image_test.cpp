@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/random.h"
+#include "tests/support/folder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,10 @@
 namespace scree {
 namespace {
 
-std::string temporary(const std::string& name) { return testing::TempDir() + "scree_" + name; }
+std::string temporary(const std::string& name) {
+    static const test::Folder folder;
+    return folder.file(name);
+}
 
 Image ramp(int width, int height, std::vector<std::string> channels) {
     Image image(width, height, std::move(channels));
@@ -145,8 +149,9 @@ TEST(Image, AFullDiskLeavesTheOldFileIntact) {
             EXPECT_TRUE(read_file(path) == "old") << name << " with room for " << room;
         }
         std::signal(SIGXFSZ, handler);
-        for (const auto& entry : std::filesystem::directory_iterator(testing::TempDir()))
-            EXPECT_EQ(entry.path().string().find("scree_full.tmp"), std::string::npos);
+        for (const auto& entry :
+             std::filesystem::directory_iterator(std::filesystem::path(path).parent_path()))
+            EXPECT_EQ(entry.path().string().find("full.tmp"), std::string::npos);
     }
     EXPECT_THROW(write_exr("/no/such/folder/a.exr", parts, {}), Error);
 }

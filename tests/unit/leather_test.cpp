@@ -4,12 +4,12 @@
 #include "generators/leather/tile_repeats.h"
 #include "shapes/table.h"
 #include "tests/support/errors.h"
+#include "tests/support/folder.h"
 #include "tests/support/leather.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace scree {
 namespace {
@@ -22,12 +22,11 @@ TEST(Leather, TheFileHoldsTheHeightsOfTheSwatchThatIsRendered) {
     Params params = leather("coarse_grain", 64);
     params.set("triangles", std::int64_t{2 * 128 * 128}); // every second vertex on a pixel's centre
     const Aggregate made = leather_plugin().make(params)({});
-    const std::string path =
-        (std::filesystem::temp_directory_path() / "scree-leather-swatch.exr").string();
+    const test::Folder folder;
+    const std::string path = folder.file("swatch.exr");
     write_height(path, *made.height);
     const HeightField map = read_height(path);
     const Image raw = read_data_image(path);
-    std::filesystem::remove(path);
     const Mesh& mesh = *made.prototypes[0].mesh();
     ASSERT_EQ(mesh.positions.size(), 129U * 129);
     std::size_t centres = 0;

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "tests/support/folder.h"
 #include "tests/support/mesh_bytes.h"
 #include "tests/support/mesh_text.h"
 
@@ -16,7 +17,6 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
-#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -26,16 +26,8 @@ using namespace tests;
 
 class MeshFile : public testing::Test {
   protected:
-    void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() /
-                  ("scree_mesh_file_" + std::string(info->name()) + std::to_string(getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     std::string write(const std::string& name, std::string_view bytes) {
-        const std::string path = (folder_ / name).string();
+        const std::string path = folder_.file(name);
         write_file(path, bytes);
         return path;
     }
@@ -50,7 +42,7 @@ class MeshFile : public testing::Test {
             run();
         } catch (const Error& error) {
             std::string text = error.what();
-            const std::string prefix = folder_.string() + "/";
+            const std::string prefix = folder_.path().string() + "/";
             for (std::size_t at = 0; (at = text.find(prefix, at)) != std::string::npos;)
                 text.erase(at, prefix.size());
             return text;
@@ -58,7 +50,7 @@ class MeshFile : public testing::Test {
         return "no error";
     }
 
-    fs::path folder_;
+    test::Folder folder_;
 };
 
 void expect_tetrahedron(const Mesh& mesh) {
@@ -123,7 +115,7 @@ TEST_F(MeshFile, ReadsEveryKind) {
     expect_tetrahedron(read_mesh(write("a.3ds", three_ds())));
     write("a.bin", gltf_buffer());
     expect_tetrahedron(read_mesh(write("a.gltf", gltf_json(R"("uri":"a.bin",)", R"({"mesh":0})"))));
-    EXPECT_EQ(read_mesh((folder_ / "a.obj").string()).name, "a.obj");
+    EXPECT_EQ(read_mesh(folder_.file("a.obj")).name, "a.obj");
 }
 
 TEST_F(MeshFile, KeepsNormalsAndUvs) {
@@ -178,7 +170,7 @@ TEST_F(MeshFile, Errors) {
     EXPECT_EQ(problem("a.3ds", "no"), "a.3ds: it is not a 3DS file");
     EXPECT_EQ(problem("a.fbx", "x"), "a.fbx: is not a mesh that can be read; expected .obj, .ply, "
                                      ".stl, .gltf, .glb or .3ds");
-    EXPECT_EQ(without_folder([&] { read_mesh((folder_ / "none.obj").string()); }),
+    EXPECT_EQ(without_folder([&] { read_mesh(folder_.file("none.obj")); }),
               "none.obj: no such file");
 }
 
@@ -308,7 +300,7 @@ TEST_F(MeshFile, PluginErrorsAreLocated) {
               }),
               "toys.lua:4: mesh.file.path: open.obj: the mesh is open: 3 boundary edges, 0 "
               "non-manifold edges; expected a closed mesh");
-    EXPECT_EQ(without_folder([&] { make((folder_ / "opne.obj").string()); }),
+    EXPECT_EQ(without_folder([&] { make(folder_.file("opne.obj")); }),
               "toys.lua:4: mesh.file.path: opne.obj: no such file\n  did you mean open.obj?");
     EXPECT_EQ(without_folder([&] { make(write("cut.stl", "solid")); }).find("toys.lua:4: "), 0U);
 }

@@ -4,12 +4,10 @@
 #include "formats/table.h"
 
 #include "core/file.h"
+#include "tests/support/folder.h"
 #include "tests/support/mesh_text.h"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -37,16 +35,9 @@ std::string polygon(const V3d& centre, int corners, bool ply) {
 
 class PlacedMesh : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ =
-            std::filesystem::temp_directory_path() / fmt::format("scree_placed_mesh_{}", getpid());
-        std::filesystem::create_directories(folder_);
-    }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     Mesh make(const std::string& name, const std::string& bytes,
               const std::vector<std::pair<std::string, Value>>& values) {
-        const std::string path = (folder_ / name).string();
+        const std::string path = folder_.file(name);
         write_file(path, bytes);
         const auto table = mesh_file_table();
         Params params("mesh.file", {"site.lua", 3});
@@ -65,13 +56,13 @@ class PlacedMesh : public testing::Test {
             make(name, bytes, values);
         } catch (const Error& error) {
             std::string text = error.what();
-            text.erase(text.find(folder_.string()), folder_.string().size() + 1);
+            text.erase(text.find(folder_.path().string()), folder_.path().string().size() + 1);
             return text;
         }
         return "no error";
     }
 
-    std::filesystem::path folder_;
+    test::Folder folder_;
     std::shared_ptr<Warnings> warnings_ = std::make_shared<Warnings>();
 };
 
@@ -129,9 +120,8 @@ TEST_F(PlacedMesh, ExactAndNearMeshesAreTaken) {
 TEST_F(PlacedMesh, WarningsAreLocated) {
     make("a.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\nl 1 2\n", {});
     ASSERT_EQ(warnings_->size(), 1U);
-    EXPECT_EQ(warnings_->front().text(),
-              "site.lua:4: mesh.file.path: " + (folder_ / "a.obj").string() +
-                  ": not read: lines (line 5)");
+    EXPECT_EQ(warnings_->front().text(), "site.lua:4: mesh.file.path: " + folder_.file("a.obj") +
+                                             ": not read: lines (line 5)");
 }
 
 } // namespace

@@ -2,12 +2,12 @@
 #include "formats/read_mtl.h"
 
 #include "core/file.h"
+#include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
-#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -15,11 +15,9 @@ namespace {
 class ReadMtl : public testing::Test {
   protected:
     void SetUp() override {
-        std::filesystem::create_directories(folder);
         for (const char* name : {"wood.png", "old wood.png"})
             write_file(folder + "/" + name, "picture");
     }
-    void TearDown() override { std::filesystem::remove_all(folder); }
 
     /// The materials `names` of a library with this text.
     MeshMaterials read(const std::string& text, const std::vector<std::string>& names = {"a"}) {
@@ -30,9 +28,8 @@ class ReadMtl : public testing::Test {
         return read("newmtl a\n" + statements).list.front();
     }
 
-    std::string folder =
-        (std::filesystem::temp_directory_path() / ("scree_mtl_" + std::to_string(getpid())))
-            .string();
+    test::Folder temporary;
+    std::string folder = temporary.path().string();
 };
 
 TEST_F(ReadMtl, Statements) {

@@ -6,27 +6,17 @@
 #include "scenes/reader/maker.h"
 #include "scenes/reader/script.h"
 #include "session/catalog.h"
+#include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
-#include <unistd.h>
 
 namespace scree {
 namespace {
 
-namespace fs = std::filesystem;
-
 class ReaderField : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / ("reader_field_" + std::to_string(getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     DescriptionNode run(const std::string& script) {
-        const std::string path = (folder_ / "scene.lua").string();
+        const std::string path = folder_.file("scene.lua");
         write_file(path, script);
         ScriptOptions options;
         options.families = catalog_.constructor_families();
@@ -56,7 +46,7 @@ class ReaderField : public testing::Test {
             field(run(script));
         } catch (const Error& error) {
             std::string text = error.what();
-            const std::string here = folder_.string() + "/";
+            const std::string here = folder_.path().string() + "/";
             for (std::size_t at = 0; (at = text.find(here)) != std::string::npos;)
                 text.erase(at, here.size());
             return text;
@@ -64,7 +54,7 @@ class ReaderField : public testing::Test {
         return "no error";
     }
 
-    fs::path folder_;
+    test::Folder folder_;
     const Catalog catalog_ = standard_catalog();
 };
 

@@ -7,13 +7,13 @@
 #include "scenes/reader/script.h"
 #include "scenes/reader/source_map.h"
 #include "session/catalog.h"
+#include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <filesystem>
 #include <random>
-#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -37,7 +37,8 @@ return scene {
 )";
 
 std::string temporary(const std::string& name) {
-    return (fs::path(testing::TempDir()) / (std::to_string(getpid()) + name)).string();
+    static const test::Folder folder;
+    return folder.file(name);
 }
 
 const Catalog& catalog() {

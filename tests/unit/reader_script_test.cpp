@@ -6,11 +6,11 @@
 #include "scenes/reader/source_map.h"
 
 #include "core/file.h"
+#include "tests/support/folder.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -21,15 +21,8 @@ using List = Description::List;
 
 class ReaderScript : public testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / ("reader_script_" + std::to_string(getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     std::string write(const std::string& name, const std::string& text) {
-        write_file((folder_ / name).string(), text);
-        return (folder_ / name).string();
+        return folder_.write(name, text);
     }
 
     DescriptionNode run(const std::string& text, ScriptOptions options = {}) {
@@ -57,7 +50,7 @@ class ReaderScript : public testing::Test {
         return std::get<List>(node->data).at(index);
     }
 
-    fs::path folder_;
+    test::Folder folder_;
     std::string printed_;
 };
 
@@ -139,13 +132,13 @@ TEST_F(ReaderScript, HelpersConvert) {
 }
 
 TEST_F(ReaderScript, IncludeGivesTheOtherScriptsValueOnce) {
-    fs::create_directories(folder_ / "parts");
+    fs::create_directories(folder_.path() / "parts");
     write("parts/box.lua", "print(\"read\")\nreturn mesh.box { size = include(\"size.lua\") }");
     write("parts/size.lua", "return 3");
     const DescriptionNode value =
         run("return scene { a = include(\"parts/box.lua\"), b = include(\"parts/box.lua\") }");
     EXPECT_EQ(field(value, "a").value, field(value, "b").value);
-    EXPECT_EQ(field(value, "a").value->where.file, (folder_ / "parts/box.lua").string());
+    EXPECT_EQ(field(value, "a").value->where.file, folder_.file("parts/box.lua"));
     EXPECT_EQ(field(value, "a").value->where.line, 2);
     EXPECT_EQ(printed_, "read\n");
 }

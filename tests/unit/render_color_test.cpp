@@ -3,10 +3,10 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "tests/support/folder.h"
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <gtest/gtest.h>
 
 namespace scree {
@@ -50,9 +50,9 @@ TEST(Color, UnknownViewNamesTheOthers) {
 }
 
 TEST(Color, EnvironmentConfigurationIsUsedOrReported) {
-    const std::string path = testing::TempDir() + "scree_test_config.ocio";
+    const test::Folder folder;
+    const std::string path = folder.file("config.ocio");
     setenv("OCIO", path.c_str(), 1);
-    std::filesystem::remove(path);
     EXPECT_THROW(view_names(), Error);
     write_file(path, R"(ocio_profile_version: 2
 roles:
@@ -73,7 +73,6 @@ colorspaces:
     EXPECT_EQ(view_names(), std::vector<std::string>{"half"});
     EXPECT_FLOAT_EQ(to_display(one_pixel(0.5F)).pixels[0], 0.25F);
     unsetenv("OCIO");
-    std::filesystem::remove(path);
 }
 
 } // namespace

@@ -7,15 +7,14 @@
 #include "geometry/plane/svg/svg_text.h"
 #include "shapes/table.h"
 #include "tests/support/errors.h"
+#include "tests/support/folder.h"
 #include "tests/support/plugin_params.h"
 #include "tests/support/svg.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -315,20 +314,14 @@ TEST(SvgFill, AgreesWithTheRulesPointByPoint) {
 
 class SvgRegion : public testing::Test {
   protected:
-    void SetUp() override {
-        path_ = (std::filesystem::path(testing::TempDir()) /
-                 ("svg_region_" + std::to_string(getpid()) + ".svg"))
-                    .string();
-    }
-    void TearDown() override { std::filesystem::remove(path_); }
-
     Region read(const std::string& body, std::map<std::string, Value> values) {
         write_file(path_, svg(body));
         values["path"] = path_;
         return tests::make(region_table(), "svg", values);
     }
 
-    std::string path_;
+    test::Folder folder_;
+    std::string path_ = folder_.file("region.svg");
 };
 
 TEST_F(SvgRegion, HasItsSizeAndLiesAboutTheOrigin) {
