@@ -139,6 +139,11 @@ int run_render(const RenderCommand& command) {
                                "scene.lights",
                                "are missing; without light the picture is black",
                                "for example lights = { light.sky {}, light.sun {} }"});
+    if (std::ranges::none_of(draft.scene.lights, gives_light))
+        throw Error(Diagnostic{{command.scene.path, 0},
+                               "scene.lights",
+                               "are all black, and so is the picture",
+                               "expected a strength and a color above 0"});
     if (!command.size.empty())
         parse_size(command.size, draft.scene.film);
     const RenderOptions options = options_of(command, draft.scene);

@@ -52,6 +52,12 @@ void check(FileMesh& mesh) {
                             std::to_string(mesh.positions.size()));
     if (mesh.triangles.empty())
         throw Error("it has no triangles");
+    const auto has_area = [&](const Mesh::Triangle& t) {
+        const auto& a = mesh.positions[t[0]];
+        return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a).length2() > 0;
+    };
+    if (std::none_of(mesh.triangles.begin(), mesh.triangles.end(), has_area))
+        throw Error("none of its triangles has an area");
     const auto bad_normal = [](const Vec3& n) { return !is_finite(n) || n.length() < 1e-6F; };
     if (std::any_of(mesh.normals.begin(), mesh.normals.end(), bad_normal))
         drop(mesh.normals, mesh, "normals are not read, since one is 0 or not a number");

@@ -40,4 +40,7 @@ struct AreaLight {
 
 using Light = std::variant<Sky, Sun, AreaLight>;
 
+/// Whether any radiance of the light is above 0.
+bool gives_light(const Light& light);
+
 } // namespace scree

@@ -19,6 +19,12 @@ std::shared_ptr<const Procedural> make_image(const Params& params) {
     PictureLook look;
     if (params.has("ground"))
         look.ground = reflectance(params, "ground");
+    const Vec2& copies = params.vector2("copies");
+    if (!(copies.x > 0 && copies.y > 0))
+        throw params.error("copies", "must be above 0");
+    if (!params.flag("repeats") && (copies.x > 1 || copies.y > 1))
+        throw params.error("copies", "are more than one", "expected repeats = true beside it");
+    look.picture_from_uv.setScale(copies);
     const Beyond beyond = params.flag("repeats") ? Beyond::repeated : Beyond::clamped;
     return picture_texture(std::make_shared<const PictureFilter>(picture.image, beyond), look);
 }
@@ -40,6 +46,11 @@ Plugin<MakeProcedural> image_plugin() {
              .type = ParamType::boolean,
              .doc = "Repeats beyond the UV square; otherwise the border pixels extend outwards.",
              .fallback = false},
+            {.name = "copies",
+             .type = ParamType::vector2,
+             .doc = "How many copies of the picture lie side by side over the UV square, along u "
+                    "and v; below 1: the lower left part of one.",
+             .fallback = Vec2(1, 1)},
             {.name = "ground",
              .type = ParamType::color,
              .doc = "Colour behind transparent parts; when not given they take the colours of "

@@ -196,6 +196,33 @@ void Refinement::displace(const HeightField& field, const Vec2& tiles) {
 
 } // namespace
 
+std::size_t triangles_needed(const Mesh& mesh, double edge, std::size_t most) {
+    const double limit = edge * edge;
+    std::size_t count = 0;
+    std::vector<std::array<Vec3, 3>> open; // parts of a triangle that may be too large
+    for (const Mesh::Triangle& t : mesh.triangles) {
+        open.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
+        while (!open.empty() && count <= most) {
+            const auto [a, b, c] = open.back();
+            open.pop_back();
+            const double ab = (b - a).length2(), bc = (c - b).length2(), ca = (a - c).length2();
+            if (std::max({ab, bc, ca}) <= limit) {
+                ++count;
+            } else if (ab >= bc && ab >= ca) {
+                open.push_back({(a + b) * 0.5F, b, c});
+                open.push_back({a, (a + b) * 0.5F, c});
+            } else if (bc >= ca) {
+                open.push_back({a, (b + c) * 0.5F, c});
+                open.push_back({a, b, (b + c) * 0.5F});
+            } else {
+                open.push_back({a, b, (a + c) * 0.5F});
+                open.push_back({(a + c) * 0.5F, b, c});
+            }
+        }
+    }
+    return count;
+}
+
 Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t triangles) {
     Refinement refined(mesh);
     const Vec2 tiles = tile_repeats(mesh, field.size);

@@ -26,6 +26,10 @@ Mesh displaced_sphere(const HeightField& field, const Vec3& centre, double radiu
 /// surfaces stay seamless. Points at one place stay at one place: seams do not open.
 Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t triangles);
 
+/// How many triangles `displaced_mesh` needs about for edges no longer than `edge` [m]; counting
+/// stops above `most`.
+std::size_t triangles_needed(const Mesh& mesh, double edge, std::size_t most);
+
 /// Whether all points of the mesh lie on one sphere, to 1e-4 of its radius, and which.
 bool is_sphere(const Mesh& mesh, Vec3& centre, double& radius);
 

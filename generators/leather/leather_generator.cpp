@@ -129,6 +129,35 @@ void warn_of_stretch(const Params& params, const CoverSettings& cover, double ti
                         : "its UVs should be to one scale, and it no smaller than a tile");
 }
 
+constexpr double most_triangles = 5e7;
+
+// Cells show their form with at least as many edges of triangles from side to side.
+constexpr double edges_in_cell = 2.5;
+
+/// Warns where so few triangles cannot show the leather's cells.
+void warn_of_few_triangles(const Params& params, const CoverSettings& cover,
+                           const ReliefRequest& request) {
+    const double edge = request.settings.cell / edges_in_cell;
+    constexpr auto most = static_cast<std::size_t>(most_triangles);
+    std::size_t needed = 0;
+    Vec3 centre;
+    double radius = 0;
+    if (cover.shape != nullptr && !covers_sphere(cover, centre, radius)) {
+        needed = triangles_needed(*cover.shape, edge, most);
+    } else {
+        const double area =
+            cover.shape != nullptr ? 4 * pi * radius * radius : request.size * request.size;
+        needed = static_cast<std::size_t>(std::min(2 * area / (edge * edge), double(most) + 1));
+    }
+    if (needed <= cover.triangles)
+        return;
+    params.warn("triangles",
+                fmt::format("{} are too few to show cells that are {:.3g} mm wide", cover.triangles,
+                            1000 * request.settings.cell),
+                needed <= most ? fmt::format("about {} would show them", needed)
+                               : "a smaller shape, or a larger cell, needs fewer");
+}
+
 Mesh covered_shape(const CoverSettings& cover, const HeightField& field) {
     if (cover.shape == nullptr)
         return displaced_swatch(field, cover.thickness, cover.triangles);
@@ -237,7 +266,7 @@ std::vector<ParamSpec> leather_specs() {
          .doc = "At most how many triangles the displaced shape has.",
          .fallback = std::int64_t{2000000},
          .min = 100.0,
-         .max = 5e7},
+         .max = most_triangles},
         material_spec("Its material"),
         {.name = "position",
          .type = ParamType::point3,
@@ -267,6 +296,7 @@ Plugin<Generator> leather_plugin() {
             check(cover);
             const ReliefRequest request = request_from(params);
             warn_of_stretch(params, cover, request.size);
+            warn_of_few_triangles(params, cover, request);
             return [request, cover](const Context& context) {
                 return bake_leather(request, cover, context);
             };

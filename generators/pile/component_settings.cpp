@@ -59,6 +59,10 @@ std::vector<ComponentSettings> component_settings(const Params& params) {
         component.shape_place = given.place("shape");
         component.materials = materials_of(given, component.shape.get());
         component.weight = given.number("weight");
+        if (bounds(*component.shape).size().length() >
+            bounds(*params.object<Mesh>("target")).size().length())
+            given.warn("shape", component.shape->name + " is larger than the target",
+                       "a smaller scale of the mesh, or a larger target");
         component.thickness = thickness_of(given);
         component.spacing = given_number(params, given, "spacing").value_or(thesis ? 1 : 3);
         component.refine =

@@ -109,7 +109,10 @@ DescriptionNode run_script(const std::string& path, const ScriptOptions& options
 DescriptionNode read_description(const std::string& path,
                                  const std::map<std::string, std::string>& overrides,
                                  const std::vector<std::string>& families) {
-    if (extension(path) != "json")
+    const std::string ending = extension(path);
+    if (!ending.empty() && ending != "lua" && ending != "json")
+        throw Error(path + ": is not a scene; expected .lua or .json");
+    if (ending != "json")
         return run_script(path, {.families = families, .overrides = overrides});
     if (!overrides.empty())
         throw Error(Diagnostic{{path, 0},

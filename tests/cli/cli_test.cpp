@@ -91,6 +91,7 @@ TEST_F(Cli, BadValuesOfOptionsAreUsageErrors) {
 TEST_F(Cli, InputErrorsExitWithOne) {
     EXPECT_EQ(run("render none.lua").code, 1);
     EXPECT_EQ(run("render none.lua").err, "none.lua: no such file\n");
+    EXPECT_EQ(run("render sky.hdr").err, "sky.hdr: is not a scene; expected .lua or .json\n");
     const Outcome outcome = run("check small.lua --set sed=4");
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("did you mean seed?"), std::string::npos) << outcome.err;

@@ -78,6 +78,13 @@ TEST_F(OptionsCli, WithoutLightThereIsNoPicture) {
               "dark.lua: scene.lights: are missing; without light the picture is black\n"
               "  for example lights = { light.sky {}, light.sun {} }\n");
     EXPECT_FALSE(fs::exists(path("a.exr")));
+    write_file(path("black.lua"),
+               "return scene { camera = camera.perspective { from = {0, 1, 2} },\n"
+               "  lights = { light.sky { strength = 0 }, light.sun { color = 0 } },\n"
+               "  objects = { object { shape = mesh.sphere {} } } }\n");
+    EXPECT_EQ(run("render black.lua -o a.exr").err,
+              "black.lua: scene.lights: are all black, and so is the picture\n"
+              "  expected a strength and a color above 0\n");
     const Outcome checked = run("check dark.lua"); // it can be baked
     EXPECT_EQ(checked.code, 0);
     EXPECT_EQ(checked.err,
@@ -109,7 +116,7 @@ TEST_F(OptionsCli, HeightAsksBeforeItMakesAMap) {
     write_file(path("maps.lua"),
                "local function tile(name, size)\n"
                "  return generator.leather { name = name, size = size, resolution = 16,\n"
-               "    triangles = 100 }\nend\n"
+               "    triangles = 3000 }\nend\n"
                "return scene { objects = { object { shape = mesh.box {}, name = 'box' },\n"
                "  tile('calf', 0.03), tile('hide', 0.04) } }\n");
     const Outcome asked = run("height maps.lua -o a.exr");

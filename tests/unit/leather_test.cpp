@@ -45,6 +45,16 @@ TEST(Leather, TheFileHoldsTheHeightsOfTheSwatchThatIsRendered) {
     EXPECT_EQ(centres, 64U * 64);
 }
 
+TEST(Leather, FinerEdgesNeedMoreTriangles) {
+    Mesh square; // of 1 m, with a diagonal of 1.41 m
+    square.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}};
+    square.triangles = {{0, 1, 2}, {0, 2, 3}};
+    EXPECT_EQ(triangles_needed(square, 1.5, 1000), 2U);
+    EXPECT_EQ(triangles_needed(square, 1.1, 1000), 4U); // the diagonals are halved
+    EXPECT_EQ(triangles_needed(square, 0.6, 1000), 16U);
+    EXPECT_GT(triangles_needed(square, 0.01, 1000), 1000U) << "counting stops";
+}
+
 TEST(Leather, TheSwatchHasCutEdgesWhenItIsThick) {
     Params params = leather("pebbled", 64);
     params.set("thickness", 0.002);

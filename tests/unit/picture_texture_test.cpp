@@ -50,6 +50,14 @@ TEST(ImageTexture, IsLinearAndCleanAtItsOutline) {
     EXPECT_NEAR(color_at(*repeated, {-0.8F, 7.3F}).x, 0.5F, 0.005);
     EXPECT_NEAR(color_at(*repeated, {3.8F, 0.3F}).x, 0.0F, 1e-5);
     EXPECT_THROW(made({{"path", folder.file("none.png")}}), Error);
+
+    // Three by two copies: a point shows what the picture shows at three and two times its place.
+    const auto copies =
+        made({{"path", path}, {"repeats", true}, {"copies", Vec2(3, 2)}, {"ground", Color(0.0F)}});
+    for (const Vec2f& uv : {Vec2f(0.07F, 0.2F), Vec2f(0.25F, 0.9F), Vec2f(0.4F, 0.6F)})
+        EXPECT_NEAR(color_at(*copies, uv).x, color_at(*repeated, {3 * uv.x, 2 * uv.y}).x, 1e-6F);
+    EXPECT_GT(color_at(*copies, {0.4F, 0.6F}).x, 0.4F);
+    EXPECT_LT(color_at(*copies, {0.25F, 0.9F}).x, 0.01F);
 }
 
 TEST(ImageTexture, IsUprightAndFiltered) {

@@ -57,7 +57,8 @@ TEST(Lichen, LeavesUndersidesBare) {
 
 TEST(Weathered, DustLiesOnWhatIsLevelOnly) {
     const Color dust(0.9F, 0.8F, 0.7F);
-    const auto procedural = weathered({{"dust", 1.0}, {"dust_color", dust}, {"dust_angle", radians(40.0)}});
+    const auto procedural =
+        weathered({{"dust", 1.0}, {"dust_color", dust}, {"dust_angle", radians(40.0)}});
     ShadingPoint point{.position = Vec3(0.0F)};
     for (const float x : {0.0F, 0.1F, 0.37F}) {
         point.position = Vec3(x, 0, 2 * x);
