@@ -17,6 +17,15 @@ void front_only(const RTCFilterFunctionNArguments* args) {
         args->valid[0] = 0;
 }
 
+// The half of a ball inside of its spline does not exist.
+void outer_half_only(const RTCFilterFunctionNArguments* args) {
+    assert(args->N == 1);
+    const RTCHit* hit = reinterpret_cast<const RTCHit*>(args->hit);
+    const StrandCap& cap = static_cast<const StrandCap*>(args->geometryUserPtr)[hit->primID];
+    if (Vec3(hit->Ng_x, hit->Ng_y, hit->Ng_z).dot(cap.outwards) < 0)
+        args->valid[0] = 0;
+}
+
 bool well_formed(const Strands& strands) {
     if (strands.offsets.front() != 0 || strands.offsets.back() != strands.points.size() ||
         strands.radii.size() != strands.points.size())
@@ -71,6 +80,21 @@ void World::State::build_strand_trees(const Context& context) {
     strand_figures.bytes = static_cast<std::size_t>(bytes - before);
 }
 
+void World::State::add_caps(StrandTree& tree) const {
+    tree.caps = end_caps(*tree.strands);
+    if (tree.caps.empty())
+        return;
+    const embree::GeometryHandle geometry(
+        rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT));
+    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                               tree.caps.data(), 0, sizeof(StrandCap), tree.caps.size());
+    rtcSetGeometryUserData(geometry.get(), tree.caps.data());
+    rtcSetGeometryIntersectFilterFunction(geometry.get(), outer_half_only);
+    rtcSetGeometryOccludedFilterFunction(geometry.get(), outer_half_only);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometryByID(tree.scene.get(), geometry.get(), StrandTree::caps_id);
+}
+
 StrandTree World::State::build(const Strands& shape, bool is_fibre) const {
     const bool linear = shape.kind == CurveKind::linear;
     StrandTree made;
@@ -103,7 +127,9 @@ StrandTree World::State::build(const Strands& shape, bool is_fibre) const {
         rtcSetGeometryOccludedFilterFunction(geometry.get(), front_only);
     }
     rtcCommitGeometry(geometry.get());
-    rtcAttachGeometryByID(made.scene.get(), geometry.get(), 0);
+    rtcAttachGeometryByID(made.scene.get(), geometry.get(), StrandTree::segments_id);
+    if (!linear && !is_fibre) // a fibre is too thin for its ends to be seen
+        add_caps(made);
     rtcCommitScene(made.scene.get());
     made.bounds = embree::bounds(made.scene.get());
     return made;

@@ -106,7 +106,7 @@ void check_parts(const Prototype& prototype, const Aggregate& of) {
                                prototype.name + " is translucent in part; a translucent material "
                                                 "must be that of the whole mesh",
                                ""});
-    const Mesh* mesh = prototype.mesh();
+    [[maybe_unused]] const Mesh* mesh = prototype.mesh();
     assert(mesh == nullptr || mesh->parts.empty() ||
            *std::max_element(mesh->parts.begin(), mesh->parts.end()) < materials.size());
 }

@@ -40,12 +40,16 @@ void World::State::fill_strand(const Ray& ray, const RawHit& found, Hit& hit) co
     const InstanceRecord& record = instances[found.instance];
     const PrototypeRecord& prototype = prototypes[record.prototype];
     const StrandTree& tree = *prototype.strands;
-    const std::uint32_t first = tree.firsts[found.primitive];
+    const StrandCap* cap =
+        found.geometry == StrandTree::caps_id ? &tree.caps[found.primitive] : nullptr;
+    const std::uint32_t first = tree.firsts[cap != nullptr ? cap->segment : found.primitive];
     const std::size_t strand = strand_of(*tree.strands, first);
     const Vec3 direction = record.inverse_direction(ray.direction);
     const Vec3 from = record.inverse_direction(ray.origin - record.rows[3]);
-    const StrandPoint point =
-        onto_segment(tree, found.primitive, from + direction * found.distance, found.barycentric.x);
+    const Vec3 near = from + direction * found.distance;
+    const StrandPoint point = cap != nullptr
+                                  ? onto_cap(tree, *cap, near)
+                                  : onto_segment(tree, found.primitive, near, found.barycentric.x);
     hit.object_position = point.position;
     hit.position = record.point(point.position);
     hit.level = hit.position.y + float(origin.y);

@@ -6,14 +6,28 @@
 #include "render/world/shape_tree.h"
 
 #include <ImathVec.h>
+#include <vector>
 
 namespace scree {
 
+/// Half a ball on an end of a spline, whose tube Embree leaves open (that of linear ones it
+/// closes). Embree reads the centres and radii from here.
+struct StrandCap {
+    Vec3 centre;
+    float radius = 0; // [m]
+    Vec3 outwards;    // along the spline, unit
+    std::uint32_t segment = 0;
+};
+
 /// What instances of the same strands share. The vertices and segments are Embree's own.
 struct StrandTree : ShapeTree {
+    static constexpr unsigned segments_id = 0; // of the geometry
+    static constexpr unsigned caps_id = 1;
+
     const Strands* strands = nullptr;
     const Imath::V4f* vertices = nullptr;  // position and radius [m]
     const std::uint32_t* firsts = nullptr; // of each segment, its first vertex
+    std::vector<StrandCap> caps;
 };
 
 /// A point of a strand's surface, in the object's frame.
@@ -26,6 +40,9 @@ struct StrandPoint {
     float segment_length = 0; // about [m]
 };
 
+/// The caps of both ends of all splines, but for ends without a radius.
+std::vector<StrandCap> end_caps(const Strands& splines);
+
 /// The strand that a segment belongs to, by the segment's first vertex.
 std::size_t strand_of(const Strands& strands, std::uint32_t first);
 
@@ -33,5 +50,8 @@ std::size_t strand_of(const Strands& strands, std::uint32_t first);
 /// the segment it is at. Embree's own hits lie up to 5% of the radius off the surface, and so do
 /// their normals (Embree's issue 332).
 StrandPoint onto_segment(const StrandTree& tree, std::uint32_t segment, const Vec3& p, float u);
+
+/// The point of a cap nearest to `p`.
+StrandPoint onto_cap(const StrandTree& tree, const StrandCap& cap, const Vec3& p);
 
 } // namespace scree

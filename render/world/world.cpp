@@ -166,9 +166,9 @@ void World::prefetch(const RawHit& raw) const {
         return;
     const InstanceRecord& record = state_->instances[raw.instance];
     const PrototypeRecord& prototype = state_->prototypes[record.prototype];
-    if (prototype.strands != nullptr)
+    if (prototype.strands != nullptr && raw.geometry == StrandTree::segments_id)
         __builtin_prefetch(&prototype.strands->firsts[raw.primitive]);
-    else
+    else if (prototype.strands == nullptr)
         __builtin_prefetch(&prototype.triangles[raw.primitive]);
 }
 

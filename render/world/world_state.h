@@ -63,6 +63,7 @@ struct World::State {
     void collect(const std::shared_ptr<const Mesh>& mesh, const Prototype& prototype);
     void collect(const std::shared_ptr<const Strands>& shape, const Prototype& prototype);
     void build_mesh_trees(const Context& context);
+    void add_caps(StrandTree& tree) const;
     void build_strand_trees(const Context& context);
     MeshTree build(const Mesh& mesh) const;
     StrandTree build(const Strands& shape, bool is_fibre) const;

@@ -110,8 +110,9 @@ Registry<MakeCurve> curve_table() {
     table.add(curve_plugin("polyline",
                            "Strands of straight pieces with round joints and ends, through points.",
                            CurveKind::linear));
-    table.add(curve_plugin("spline", "Smooth strands with open ends, through points.",
-                           CurveKind::bspline));
+    table.add(curve_plugin(
+        "spline", "Smooth strands with round ends (open ones of material.fibre), through points.",
+        CurveKind::bspline));
     return table;
 }
 

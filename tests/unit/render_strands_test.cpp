@@ -136,6 +136,42 @@ TEST(Strands, HitsOfASplineLieOnItsSurface) {
     });
 }
 
+// A straight spline of constant radius with round ends is a capsule.
+TEST(Strands, SplinesAreClosedByHalfBalls) {
+    const float radius = 0.1F;
+    Strands strands;
+    strands.kind = CurveKind::bspline;
+    test::add_strand(strands,
+                     {{-0.25F, 0, 0}, {0, 0, 0}, {0.25F, 0, 0}, {0.5F, 0, 0}, {0.75F, 0, 0}},
+                     std::vector<float>(5, radius)); // from 0 to 0.5
+    const auto distance = [&](const Vec3& p) {
+        return (p - Vec3(std::clamp(p.x, 0.0F, 0.5F), 0, 0)).length() - radius;
+    };
+    const World world = strand_world(strands, Plastic{});
+    int on_caps = 0;
+    for_hits(world, {Vec3(-0.05F, 0, 0), Vec3(0.55F, 0, 0)}, radius, 4000,
+             [&](const Ray& ray, const Hit& hit) {
+                 EXPECT_NEAR(distance(hit.position), 0, 1e-5F);
+                 const float t = hit.distance; // sphere tracing is an oracle for convex shapes
+                 Vec3 p = ray.origin;
+                 for (int i = 0; i < 300; ++i)
+                     p += ray.direction * distance(p);
+                 EXPECT_NEAR((p - ray.origin).length(), t, 0.02F * radius);
+                 on_caps += hit.position.x < 0 || hit.position.x > 0.5F;
+                 EXPECT_LT(hit.normal.dot(ray.direction), 0.02F);
+             });
+    EXPECT_GT(on_caps, 1000);
+    // From inside there is one way out, and nothing between.
+    Random random(35, Purpose::test);
+    for (int i = 0; i < 1000; ++i) {
+        const Ray ray{{0.5F * random.uniform_float(), 0, 0}, random_direction(random)};
+        Hit hit;
+        ASSERT_TRUE(world.hit(ray, hit));
+        EXPECT_NEAR(distance(ray.origin + ray.direction * hit.distance), 0, 0.05F * radius);
+        EXPECT_GT(hit.normal.dot(ray.direction), 0);
+    }
+}
+
 // How many of `count` rays that leave a random hit outwards meet the segment that they leave.
 int met_again(const Strands& strands, const WideMatrix& place, int count) {
     const World world = strand_world(strands, Matte{}, {place});
