@@ -6,9 +6,8 @@
 #include "core/parallel.h"
 #include "formats/read_mesh.h"
 #include "generators/table.h"
+#include "session/stages.h"
 #include "tests/support/fibres.h"
-
-#include <sys/resource.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -133,24 +132,21 @@ void print_contact() {
     }
 }
 
-double peak_mib() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return double(usage.ru_maxrss) / 1024;
-}
-
 void print_memory() {
     fmt::print("Peak memory, bytes of a vertex above what a bake of one fibre needs\n");
     const Value target = bunny(2);
     for (const bool contact : {false, true}) {
         const auto at = [&](std::int64_t count) {
+            Stages stages;
+            stages.begin("bake");
             bake({{"target", target},
                   {"count", count},
                   {"radius", 0.0004},
                   {"segments", std::int64_t{32}},
                   {"max_iterations", std::int64_t{3}},
                   {"contact", contact}});
-            return peak_mib();
+            stages.end();
+            return stages.costs().back().peak_mib;
         };
         const double before = at(1);
         const std::int64_t count = contact ? 40000 : 200000;
@@ -163,7 +159,7 @@ void print_memory() {
 
 int main(int count, char** arguments) {
     return bench::run_tables(count, arguments,
-                             {{"memory", "bytes of a vertex; to be run first", print_memory},
+                             {{"memory", "bytes of a vertex", print_memory},
                               {"tables", "Tables 5.2 to 5.5, and the balls of 5.6", print_tables},
                               {"contact", "what contact leaves, by the number", print_contact}});
 }

@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "generators/fibres/contact.h"
+#include "generators/fibres/fibre_order.h"
 #include "generators/fibres/fibre_source.h"
 #include "generators/fibres/rest.h"
 #include "geometry/mesh/strand_spline.h"
@@ -77,11 +78,19 @@ void to_scene(Placed& placed) {
     });
 }
 
-/// The fibres as rods, from where they are in the scene; takes their vertices.
-Rods rods_of(Placed& placed, const FibresSettings& settings, const FibreSource& source) {
+/// An order in which neighbours lie near each other in memory.
+std::vector<std::uint32_t> order_of(const RigidFibres& fibres) {
+    std::vector<Vec3> places(fibres.poses.size());
+    std::ranges::transform(fibres.poses, places.begin(), &Pose::centre);
+    return order_in_space(places);
+}
+
+/// The fibres as rods in this order, from where they are in the scene; takes their vertices.
+Rods rods_of(Placed& placed, const FibresSettings& settings, const FibreSource& source,
+             std::span<const std::uint32_t> order) {
     const std::uint32_t n = settings.shape.segments;
     Rods rods{.segments = n, .rooted = settings.roots != nullptr};
-    rods.points = std::move(placed.rigid.local);
+    rods.points.resize(placed.rigid.local.size());
     rods.frames.resize(settings.count * n);
     rods.rest.resize(settings.count * (n - 1));
     rods.lengths.resize(settings.count);
@@ -90,11 +99,15 @@ Rods rods_of(Placed& placed, const FibresSettings& settings, const FibreSource& 
     parallel_for(settings.count, 64, [&](std::size_t i) {
         std::vector<Vec3> points(n + 1);
         const std::span<Rotation> frames(&rods.frames[i * n], n);
-        source.grow(i, points, frames);
-        rods.lengths[i] = source.segment_length(i);
+        const std::size_t fibre = order[i];
+        source.grow(fibre, points, frames);
+        std::copy_n(&placed.rigid.local[fibre * (n + 1)], n + 1, &rods.points[i * (n + 1)]);
+        rods.lengths[i] = source.segment_length(fibre);
         for (Rotation& frame : frames)
-            frame = unit(placed.rigid.poses[i].rotation * frame);
+            frame = unit(placed.rigid.poses[fibre].rotation * frame);
     });
+    placed.rigid.local.clear();
+    placed.rigid.local.shrink_to_fit();
     take_shapes_as_rest(rods);
     return rods;
 }
@@ -113,7 +126,8 @@ Boundary boundary_of(const FibresSettings& settings) {
 
 void bend_apart(Placed& placed, const FibresSettings& settings, const Places& places,
                 const FibreSource& source, const Context& context, Facts& facts) {
-    Rods rods = rods_of(placed, settings, source);
+    const std::vector<std::uint32_t> order = order_of(placed.rigid);
+    Rods rods = rods_of(placed, settings, source, order);
     const Boundary held = boundary_of(settings);
     Boundary boundary = held;
     if (settings.target)
@@ -149,9 +163,12 @@ void bend_apart(Placed& placed, const FibresSettings& settings, const Places& pl
             "iterations, more than the tolerance of {:g}",
             double(measure.deepest) / radius, double(measure.outside) / radius, result.iterations,
             tolerance));
-    for (std::size_t i = 0; i < settings.count; ++i)
-        placed.normals[i] = rotated(rods.frames[i * rods.segments], Vec3(1, 0, 0));
-    placed.rigid.local = std::move(rods.points);
+    const std::size_t n = rods.vertices();
+    placed.rigid.local.resize(rods.points.size());
+    for (std::size_t i = 0; i < settings.count; ++i) {
+        placed.normals[order[i]] = rotated(rods.frames[i * rods.segments], Vec3(1, 0, 0));
+        std::copy_n(&rods.points[i * n], n, &placed.rigid.local[order[i] * n]);
+    }
 }
 
 std::shared_ptr<Strands> strands_of(Placed&& placed, const FibresSettings& settings) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // generator.fibres: what contact leaves, measured in double by code that shares nothing with it.
+#include "core/random.h"
 #include "formats/read_mesh.h"
+#include "generators/fibres/fibre_order.h"
 #include "geometry/mesh/signed_distance_grid.h"
 #include "tests/support/fibres.h"
 #include "tests/support/piles.h"
@@ -12,6 +14,7 @@
 namespace scree {
 namespace {
 
+using fibres::order_in_space;
 using tests::bake_fibres;
 using tests::fact;
 using tests::FibreValues;
@@ -74,6 +77,26 @@ TEST_F(FibreContact, BendsAndMovesThemLittle) {
         moved += double((now->points[i] - before->points[i]).length2());
     EXPECT_LE(degrees(std::sqrt(bent / double(now->count() * 31))), 5);
     EXPECT_LE(std::sqrt(moved / double(now->points.size())), 2 * radius);
+}
+
+TEST(FibreOrder, NeighboursInItAreNeighboursInSpace) {
+    constexpr std::size_t count = 4096;
+    Random random(71, Purpose::test);
+    std::vector<Vec3> places(count);
+    for (Vec3& p : places)
+        p = Vec3(random.uniform_float(), random.uniform_float(), random.uniform_float());
+    const std::vector<std::uint32_t> order = order_in_space(places);
+    std::vector<std::uint32_t> sorted = order;
+    std::ranges::sort(sorted);
+    for (std::uint32_t i = 0; i < count; ++i)
+        ASSERT_EQ(sorted[i], i) << "each once";
+    double way = 0;
+    for (std::size_t i = 1; i < count; ++i)
+        way += double((places[order[i]] - places[order[i - 1]]).length());
+    // Points of one of 16^3 cells are 1 / 16 apart; in no order the mean is 0.66.
+    EXPECT_LT(way / count, 1.5 / 16);
+    EXPECT_EQ(order_in_space({}).size(), 0U);
+    EXPECT_EQ(order_in_space(std::vector<Vec3>(3, Vec3(1))), (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
 TEST(FibreContactOf, TheBunnyFillsItEvenly) {
