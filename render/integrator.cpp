@@ -14,6 +14,10 @@ namespace {
 // (Pharr, Jakob & Humphreys 2016, section 14.5.4).
 constexpr int first_roulette_edge = 4;
 
+// Paths that carry as much are always kept. With 1 in its place, 5,000 grey bunnies have 1.23 times
+// the squared error for 0.975 of the rays.
+constexpr float kept_throughput = 0.25F;
+
 // A filter that is as wide as it is far away: 53 degrees.
 constexpr float widest_spread = 1;
 
@@ -154,7 +158,7 @@ bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCou
         return false;
     path.throughput_ *= scattered.weight;
     if (path.edges_ >= first_roulette_edge) {
-        const float survival = std::min(1.0F, largest(path.throughput_));
+        const float survival = std::min(1.0F, largest(path.throughput_) / kept_throughput);
         if (path.sampler_.pair(dimension::at(bounce, dimension::roulette)).x >= survival)
             return false;
         path.throughput_ /= survival;

@@ -51,8 +51,71 @@ TEST(Sampling, FiltersAndLens) {
               "");
 }
 
+TEST(Sobol, TheFirstPairIsThatOfTheMatrices) {
+    Random random(8, Purpose::test);
+    for (int i = 0; i < 1000; ++i) {
+        const std::uint32_t index = random.below(0xffffffffU);
+        ASSERT_EQ(sobol::first_pair(index), sobol::pair(index, 0)) << index;
+    }
+}
+
+// Matrices of full rank in every leading square: each coordinate alone is stratified.
+TEST(Sobol, EveryCoordinateIsStratified) {
+    for (std::size_t d = 0; d < sobol::dimensions; d += 2)
+        for (int m = 0; m <= 10; ++m) {
+            std::array<std::vector<int>, 2> cells{std::vector<int>(std::size_t{1} << m),
+                                                  std::vector<int>(std::size_t{1} << m)};
+            for (std::uint32_t i = 0; i < 1U << m; ++i) {
+                const auto p = sobol::pair(i, d);
+                for (std::size_t k = 0; k < 2; ++k)
+                    ++cells[k][static_cast<std::size_t>(sobol::to_unit(p[k]) *
+                                                        static_cast<float>(1 << m))];
+            }
+            for (const std::vector<int>& count : cells)
+                ASSERT_EQ(*std::max_element(count.begin(), count.end()), 1) << d << " " << m;
+        }
+}
+
+// The variance of the mean of prod (1 + cos(2 pi x)) over 64 samples, for the film, the first
+// direction and the first light together: of independent samples it is (1.5^6 - 1) / 64.
+TEST(Sampler, FilmDirectionAndLightAreStratifiedTogether) {
+    constexpr int pixels = 4000;
+    constexpr std::uint32_t samples = 64;
+    const std::array<std::uint32_t, 3> joint{dimension::film,
+                                             dimension::at(0, dimension::direction),
+                                             dimension::at(0, dimension::light)};
+    const std::array<std::uint32_t, 3> apart{dimension::lens, dimension::at(0, dimension::choice),
+                                             dimension::at(0, dimension::roulette)};
+    const auto variance = [&](const std::array<std::uint32_t, 3>& pairs, double& mean) {
+        double sum = 0, squares = 0;
+        for (int pixel = 0; pixel < pixels; ++pixel) {
+            double total = 0;
+            for (std::uint32_t i = 0; i < samples; ++i) {
+                double product = 1;
+                for (const std::uint32_t pair : pairs) {
+                    const Vec2f p = Sampler(4, pixel, 2, i).pair(pair);
+                    product *=
+                        (1 + std::cos(2 * pi * double(p.x))) * (1 + std::cos(2 * pi * double(p.y)));
+                }
+                total += product / samples;
+            }
+            sum += total / pixels;
+            squares += (total - 1) * (total - 1) / pixels;
+        }
+        mean = sum;
+        return squares;
+    };
+    double mean_joint = 0, mean_apart = 0;
+    const double together = variance(joint, mean_joint);
+    const double each = variance(apart, mean_apart);
+    EXPECT_NEAR(mean_joint, 1, 5 * std::sqrt(together / pixels));
+    EXPECT_NEAR(mean_apart, 1, 5 * std::sqrt(each / pixels));
+    EXPECT_LT(together, 0.8 * each);
+}
+
 TEST(Sampler, EveryPrefixIsAnElementaryNet) {
-    for (const std::uint32_t dimension : {0U, 1U, 7U})
+    for (const std::uint32_t dimension :
+         {dimension::film, dimension::lens, 8U, dimension::at(0, dimension::choice)})
         for (int m = 0; m <= 10; ++m)
             for (int x_bits = 0; x_bits <= m; ++x_bits) {
                 const int y_bits = m - x_bits;
