@@ -58,7 +58,7 @@ class Sampler {
         const std::uint32_t bounce = (dimension - dimension::first_bounce) / dimension::per_bounce;
         const std::uint32_t use = (dimension - dimension::first_bounce) % dimension::per_bounce;
         return dimension >= dimension::first_bounce && use <= dimension::light
-                   ? 2 + 4 * std::size_t{bounce} + 2 * use
+                   ? 2 + 4 * std::size_t{bounce} + 2 * std::size_t{use}
                    : sobol::dimensions;
     }
     std::uint32_t shuffled(std::uint32_t key) const {
