@@ -39,7 +39,7 @@ TEST(Sampling, FiltersAndLens) {
         EXPECT_EQ(test::chi_square(observed, expected, test::sampling_alpha), "");
     }
     Random random(7, Purpose::test);
-    std::vector<double> disk(16 * 16);
+    std::vector<double> disk(std::size_t{16} * 16);
     for (int i = 0; i < sample_count; ++i) {
         const Vec2f d = warp::disk(next_pair(random));
         const int ring = std::clamp(static_cast<int>(d.dot(d) * 16), 0, 15);
