@@ -73,7 +73,7 @@ class SolidProcedural : public Procedural {
                   std::span<ShadingSample> samples) const override {
         const solid::Field field{&lattice_->header(), lattice_->nodes16().data(),
                                  lattice_->nodes32().data()};
-        if constexpr (InLanes != nullptr)
+        if constexpr (!std::is_null_pointer_v<decltype(InLanes)>)
             if (points.size() > 1 && InLanes(field, settings_, points, samples))
                 return;
         for (std::size_t i = 0; i < points.size(); ++i)

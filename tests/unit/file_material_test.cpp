@@ -146,7 +146,7 @@ TEST(FileMaterial, AreRendered) {
     stage.film.filter = Filter::box;
     stage.film.radius = 0.5F;
     const RenderResult result = stage.render();
-    const Image& image = result.film.parts().front().image;
+    const Image image = result.film.parts().front().image;
     const auto expect = [&](int x, int y, const Color& color) {
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(image.at(x, y)[c], color[c], 0.02) << x << " " << y << " " << c;
