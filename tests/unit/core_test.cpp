@@ -167,10 +167,8 @@ TEST(MeshNormals, CreaseSplitsACubeAndSmoothingDoesNot) {
     compute_normals(sharp, radians(40));
     EXPECT_EQ(sharp.positions.size(), 24U);
     EXPECT_TRUE(inspect(sharp).closed());
-    for (std::size_t i = 0; i < sharp.normals.size(); ++i) {
-        const Vec3& n = sharp.normals[i];
+    for (const Vec3& n : sharp.normals)
         EXPECT_NEAR(std::abs(n.x) + std::abs(n.y) + std::abs(n.z), 1, 1e-6);
-    }
     Mesh smooth = cube();
     compute_normals(smooth, radians(120));
     EXPECT_EQ(smooth.positions.size(), 8U);

@@ -47,8 +47,9 @@ SampleGrid vortex_grid(int columns, int rows, bool torus) {
     SampleGrid grid = random_grid(columns, rows, torus, true, 0);
     for (int z = 0; z < rows; ++z)
         for (int x = 0; x < columns; ++x)
-            grid.values[std::size_t(z * columns + x)] = static_cast<float>(
-                degrees(std::atan2(z - 0.4 * rows + 0.3, x - 0.6 * columns + 0.2)));
+            grid.values[std::size_t(z) * std::size_t(columns) + std::size_t(x)] =
+                static_cast<float>(
+                    degrees(std::atan2(z - 0.4 * rows + 0.3, x - 0.6 * columns + 0.2)));
     return grid;
 }
 
