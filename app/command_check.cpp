@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace scree {
 
@@ -19,17 +21,21 @@ struct CheckOptions {
 
 // What rendering needs and baking does not.
 void warn_of_missing(const SceneDraft& draft, const std::string& path, Console& console) {
-    const auto warn = [&](const char* parameter, const char* example) {
+    const auto warn = [&](const char* parameter, const char* problem, const char* hint) {
         const Diagnostic missing{{path, 0},
                                  parameter,
-                                 "missing: scree bake can do without, scree render cannot",
-                                 std::string("for example ") + example};
+                                 std::string(problem) +
+                                     ": scree bake can do without, scree render cannot",
+                                 hint};
         console.say("warning: " + missing.text());
     };
+    const std::vector<Light>& lights = draft.scene.lights;
     if (!draft.scene.camera)
-        warn("scene.camera", "camera = camera.perspective {}");
-    if (draft.scene.lights.empty())
-        warn("scene.lights", "lights = { light.sky {}, light.sun {} }");
+        warn("scene.camera", "missing", "for example camera = camera.perspective {}");
+    if (lights.empty())
+        warn("scene.lights", "missing", "for example lights = { light.sky {}, light.sun {} }");
+    else if (std::ranges::none_of(lights, gives_light))
+        warn("scene.lights", "all black", "expected a strength and a color above 0");
 }
 
 int check(const CheckOptions& options) {

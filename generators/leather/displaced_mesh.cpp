@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "generators/leather/tile_repeats.h"
+#include "geometry/mesh/triangle_corners.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -197,27 +198,25 @@ void Refinement::displace(const HeightField& field, const Vec2& tiles) {
 } // namespace
 
 std::size_t triangles_needed(const Mesh& mesh, double edge, std::size_t most) {
-    const double limit = edge * edge;
+    using Corners = std::array<Imath::V3d, 3>; // in double, or small edges of far corners stay
     std::size_t count = 0;
-    std::vector<std::array<Vec3, 3>> open; // parts of a triangle that may be too large
-    for (const Mesh::Triangle& t : mesh.triangles) {
-        open.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
+    std::vector<Corners> open; // parts of a triangle that may be too large
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto [a, b, c] = corners_of(mesh, t);
+        open.push_back({Imath::V3d(a), Imath::V3d(b), Imath::V3d(c)});
         while (!open.empty() && count <= most) {
-            const auto [a, b, c] = open.back();
+            const Corners p = open.back();
             open.pop_back();
-            const double ab = (b - a).length2(), bc = (c - b).length2(), ca = (a - c).length2();
-            if (std::max({ab, bc, ca}) <= limit) {
+            const auto edge2 = [&](std::size_t k) { return (p[(k + 1) % 3] - p[k]).length2(); };
+            const std::size_t k = std::ranges::max(std::array<std::size_t, 3>{0, 1, 2}, {}, edge2);
+            if (edge2(k) <= edge * edge) {
                 ++count;
-            } else if (ab >= bc && ab >= ca) {
-                open.push_back({(a + b) * 0.5F, b, c});
-                open.push_back({a, (a + b) * 0.5F, c});
-            } else if (bc >= ca) {
-                open.push_back({a, (b + c) * 0.5F, c});
-                open.push_back({a, b, (b + c) * 0.5F});
-            } else {
-                open.push_back({a, b, (a + c) * 0.5F});
-                open.push_back({(a + c) * 0.5F, b, c});
+                continue;
             }
+            const std::size_t end = (k + 1) % 3, opposite = (k + 2) % 3;
+            const Imath::V3d middle = (p[k] + p[end]) * 0.5;
+            open.push_back({p[k], middle, p[opposite]});
+            open.push_back({middle, p[end], p[opposite]});
         }
     }
     return count;

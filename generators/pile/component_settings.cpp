@@ -52,6 +52,7 @@ ShapeVariation variation_of(const Params& component) {
 
 std::vector<ComponentSettings> component_settings(const Params& params) {
     const bool thesis = params.text("method") == "thesis";
+    const float target_size = bounds(*params.object<Mesh>("target")).size().length();
     std::vector<ComponentSettings> components;
     for (const Params& given : params.list("components")) {
         ComponentSettings& component = components.emplace_back();
@@ -59,8 +60,7 @@ std::vector<ComponentSettings> component_settings(const Params& params) {
         component.shape_place = given.place("shape");
         component.materials = materials_of(given, component.shape.get());
         component.weight = given.number("weight");
-        if (bounds(*component.shape).size().length() >
-            bounds(*params.object<Mesh>("target")).size().length())
+        if (bounds(*component.shape).size().length() > target_size)
             given.warn("shape", component.shape->name + " is larger than the target",
                        "a smaller scale of the mesh, or a larger target");
         component.thickness = thickness_of(given);

@@ -81,7 +81,7 @@ void World::State::build_strand_trees(const Context& context) {
 }
 
 void World::State::add_caps(StrandTree& tree) const {
-    tree.caps = end_caps(*tree.strands);
+    tree.caps = end_caps(tree);
     if (tree.caps.empty())
         return;
     const embree::GeometryHandle geometry(
@@ -99,7 +99,6 @@ StrandTree World::State::build(const Strands& shape, bool is_fibre) const {
     const bool linear = shape.kind == CurveKind::linear;
     StrandTree made;
     made.scene = new_scene();
-    const std::size_t segments = shape.segment_count();
     // Compact trees of splines take half of the memory, and rays meet them 5 % more slowly; those
     // of linear curves save nothing and are 12 % slower.
     rtcSetSceneFlags(
@@ -110,6 +109,7 @@ StrandTree World::State::build(const Strands& shape, bool is_fibre) const {
     const embree::GeometryHandle geometry(
         rtcNewGeometry(device.get(), linear ? RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE
                                             : RTC_GEOMETRY_TYPE_ROUND_BSPLINE_CURVE));
+    const std::size_t segments = shape.segment_count();
     auto* vertices = static_cast<Imath::V4f*>(
         rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
                                 sizeof(Imath::V4f), shape.points.size()));

@@ -5,7 +5,6 @@
 #include "core/frame.h"
 
 #include <algorithm>
-#include <array>
 
 namespace scree {
 
@@ -107,39 +106,34 @@ std::size_t strand_of(const Strands& strands, std::uint32_t first) {
            1;
 }
 
-std::vector<StrandCap> end_caps(const Strands& splines) {
+std::vector<StrandCap> end_caps(const StrandTree& tree) {
     std::vector<StrandCap> caps;
-    std::uint32_t segment = 0; // the first of the strand
-    const auto add = [&](std::uint32_t first, std::uint32_t of, float u) {
-        std::array<Vertex, 4> control;
-        for (std::uint32_t k = 0; k < 4; ++k) {
-            const Vec3& p = splines.points[first + k];
-            control[k] = {p.x, p.y, p.z, splines.radii[first + k]};
-        }
-        const Piece piece{control.data()};
+    const auto add = [&](std::uint32_t segment, float u) {
+        const Piece piece{tree.vertices + tree.firsts[segment]};
         const Vertex end = piece.at(u);
-        const Vec3 along = position_of(piece.first(u)) * (u > 0 ? 1.0F : -1.0F);
-        if (end.w > 0 && along.dot(along) > 0)
-            caps.push_back({position_of(end), end.w, unit(along), of});
+        const Vec3 outwards = position_of(piece.first(u)) * (u > 0 ? 1.0F : -1.0F);
+        if (end.w > 0 && outwards.dot(outwards) > 0)
+            caps.push_back({position_of(end), end.w, unit(outwards), u, segment});
     };
+    const Strands& splines = *tree.strands;
+    const auto more = static_cast<std::uint32_t>(splines.piece_points() - 1);
+    std::uint32_t segment = 0; // the first of the strand
     for (std::size_t i = 0; i < splines.count(); ++i) {
-        const std::uint32_t pieces = splines.offsets[i + 1] - splines.offsets[i] - 3;
-        add(splines.offsets[i], segment, 0);
-        add(splines.offsets[i + 1] - 4, segment + pieces - 1, 1);
-        segment += pieces;
+        const std::uint32_t next = segment + splines.offsets[i + 1] - splines.offsets[i] - more;
+        add(segment, 0);
+        add(next - 1, 1);
+        segment = next;
     }
     return caps;
 }
 
 StrandPoint onto_cap(const StrandTree& tree, const StrandCap& cap, const Vec3& p) {
     const Piece piece{tree.vertices + tree.firsts[cap.segment]};
-    const float u = position_of(piece.first(0)).dot(cap.outwards) < 0 ? 0.0F : 1.0F;
-    const Vec3 velocity = position_of(piece.first(u));
     StrandPoint out;
-    out.fraction = u;
+    out.fraction = cap.fraction;
     out.radius = cap.radius;
-    out.segment_length = velocity.length();
-    out.axis = unit(velocity);
+    out.segment_length = position_of(piece.first(cap.fraction)).length();
+    out.axis = cap.outwards * (cap.fraction > 0 ? 1.0F : -1.0F);
     out.normal = radial(p - cap.centre, cap.outwards);
     out.position = cap.centre + out.normal * cap.radius;
     return out;

@@ -11,11 +11,12 @@
 namespace scree {
 
 /// Half a ball on an end of a spline, whose tube Embree leaves open (that of linear ones it
-/// closes). Embree reads the centres and radii from here.
-struct StrandCap {
+/// closes). Embree reads the centres and radii from here, 16 aligned bytes at a time.
+struct alignas(16) StrandCap {
     Vec3 centre;
-    float radius = 0; // [m]
-    Vec3 outwards;    // along the spline, unit
+    float radius = 0;   // [m]
+    Vec3 outwards;      // along the spline, unit
+    float fraction = 0; // of its segment: 0 or 1
     std::uint32_t segment = 0;
 };
 
@@ -40,8 +41,8 @@ struct StrandPoint {
     float segment_length = 0; // about [m]
 };
 
-/// The caps of both ends of all splines, but for ends without a radius.
-std::vector<StrandCap> end_caps(const Strands& splines);
+/// The caps of both ends of all splines of the tree, but for ends without a radius.
+std::vector<StrandCap> end_caps(const StrandTree& tree);
 
 /// The strand that a segment belongs to, by the segment's first vertex.
 std::size_t strand_of(const Strands& strands, std::uint32_t first);

@@ -3,6 +3,7 @@
 #include "core/image.h"
 #include "tests/cli/cli_fixture.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -85,6 +86,10 @@ TEST_F(OptionsCli, WithoutLightThereIsNoPicture) {
     EXPECT_EQ(run("render black.lua -o a.exr").err,
               "black.lua: scene.lights: are all black, and so is the picture\n"
               "  expected a strength and a color above 0\n");
+    EXPECT_EQ(
+        run("check black.lua").err,
+        "warning: black.lua: scene.lights: all black: scree bake can do without, scree render "
+        "cannot\n  expected a strength and a color above 0\n");
     const Outcome checked = run("check dark.lua"); // it can be baked
     EXPECT_EQ(checked.code, 0);
     EXPECT_EQ(checked.err,
@@ -97,10 +102,10 @@ TEST_F(OptionsCli, AnOptionIsNotTakenForAFile) {
     for (const std::string command : {"render", "bake", "height", "texture"}) {
         const Outcome outcome = run(command + " named.lua --stats -o a.exr");
         EXPECT_EQ(outcome.code, 2);
-        EXPECT_EQ(outcome.err, "scree " + command +
-                                   ": --stats: expected the name of a file, got -o; a file of this "
-                                   "name is ./-o\n  see scree " +
-                                   command + " --help\n");
+        EXPECT_EQ(outcome.err,
+                  fmt::format("scree {0}: --stats: expected the name of a file, got -o; a file of "
+                              "this name is ./-o\n  see scree {0} --help\n",
+                              command));
     }
     for (const char* arguments : {"analyse named.lua -o --seeds 2", "view a.exr -o --exposure 1"}) {
         const Outcome outcome = run(arguments);

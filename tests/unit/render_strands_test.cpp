@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strands in the world: where rays meet them, and where they go from there.
 #include "render/world/instance_record.h"
+#include "render/world/strand_tree.h"
 #include "tests/support/strands.h"
 
 #include <gtest/gtest.h>
@@ -169,6 +170,36 @@ TEST(Strands, SplinesAreClosedByHalfBalls) {
         ASSERT_TRUE(world.hit(ray, hit));
         EXPECT_NEAR(distance(ray.origin + ray.direction * hit.distance), 0, 0.05F * radius);
         EXPECT_GT(hit.normal.dot(ray.direction), 0);
+    }
+}
+
+// The two ends of one piece that turns back point the same way: each cap knows its end.
+TEST(Strands, CapsKnowTheirEnds) {
+    Strands hairpin;
+    hairpin.kind = CurveKind::bspline;
+    test::add_strand(hairpin, {{-3, 0, 0}, {1, 0, 0}, {1, 0.5F, 0}, {-3, 0.5F, 0}},
+                     std::vector<float>(4, 0.01F));
+    std::vector<Imath::V4f> vertices;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3& p = hairpin.points[i];
+        vertices.emplace_back(p.x, p.y, p.z, hairpin.radii[i]);
+    }
+    const std::uint32_t first = 0;
+    StrandTree tree;
+    tree.strands = &hairpin;
+    tree.vertices = vertices.data();
+    tree.firsts = &first;
+    tree.caps = end_caps(tree);
+    ASSERT_EQ(tree.caps.size(), 2U);
+    EXPECT_LT(tree.caps[0].outwards.x, 0);
+    EXPECT_LT(tree.caps[1].outwards.x, 0);
+    for (std::size_t end = 0; end < 2; ++end) {
+        const StrandCap& cap = tree.caps[end];
+        EXPECT_EQ(cap.segment, 0U);
+        const StrandPoint point = onto_cap(tree, cap, cap.centre + cap.outwards);
+        EXPECT_EQ(point.fraction, static_cast<float>(end));
+        EXPECT_EQ(point.axis.x < 0, end == 1) << "towards the tip";
+        EXPECT_LT((point.normal - cap.outwards).length(), 1e-6F);
     }
 }
 
