@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -192,8 +193,10 @@ int run_render(const RenderCommand& command) {
     session.stages().end();
 
     const RenderStats& stats = rendered.result.stats;
-    run.console.say(fmt::format("render: {:g} samples per pixel, {:.2f} Mray/s, {}",
-                                stats.samples_per_pixel, stats.mrays_per_s(),
+    const std::string error = // unknown from one sample
+        std::isfinite(stats.error) ? fmt::format("relative error about {:.2g}, ", stats.error) : "";
+    run.console.say(fmt::format("render: {:g} samples per pixel, {}{:.2f} Mray/s, {}",
+                                stats.samples_per_pixel, error, stats.mrays_per_s(),
                                 format_duration(stats.seconds)));
     if (stats.invalid_samples > 0)
         run.console.say(fmt::format("{} invalid samples were dropped", stats.invalid_samples));

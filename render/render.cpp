@@ -9,9 +9,10 @@ RenderResult render(const World& world, const Camera& camera, const FilmSettings
                     const RenderOptions& options, const Context& context) {
     Rendering rendering(world, camera, settings, options, context);
     rendering.pass(); // at least one sample per pixel
-    rendering.step(options.time_limit > 0 ? options.time_limit - rendering.stats().seconds
+    rendering.step(options.time_limit > 0 ? options.time_limit - rendering.seconds()
                                           : std::numeric_limits<double>::infinity());
-    return {rendering.take_film(), rendering.stats(), rendering.cancelled()};
+    const RenderStats stats = rendering.stats();
+    return {rendering.take_film(), stats, rendering.cancelled()};
 }
 
 } // namespace scree

@@ -42,6 +42,7 @@ struct RenderStats {
     std::uint64_t invalid_samples = 0; // not finite or negative; dropped
     std::uint64_t samples = 0;         // of all pixels, also of the runs that this one resumed
     double samples_per_pixel = 0;      // mean over the pixels of the shard
+    double error = 0; // estimate of the picture's relative error; see Film::relative_error
 
     double mrays_per_s() const {
         return seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0;

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int longest_pass = 64;      // samples; short enough to keep the limit of noise
 constexpr int min_samples_noise = 16; // fewer say too little about the error
+constexpr int noise_step = 8;         // samples between two looks at the error
 
 // Denormals cost Embree and shading dearly and mean nothing in a picture.
 class FlushDenormals {
@@ -95,9 +96,21 @@ Rendering::Rendering(const World& world, const Camera& camera, const FilmSetting
 }
 
 bool Rendering::is_finished(const Tile& tile) const {
-    return tile.done >= samples_ ||
-           (options_.noise > 0 && tile.done >= min_samples_noise &&
-            film_.relative_error(tile.x0, tile.y0, tile.x1, tile.y1) < options_.noise);
+    return tile.done >= samples_ || (options_.noise > 0 && tile.done >= min_samples_noise &&
+                                     double(tile.error) < options_.noise);
+}
+
+// With a limit of noise, no more than it is likely to take: the error falls with the root of the
+// number of samples.
+int Rendering::next_samples(const Tile& tile) const {
+    int more = std::clamp(tile.done, 1, longest_pass);
+    if (options_.noise > 0 && tile.done >= min_samples_noise) {
+        const double ratio = double(tile.error) / options_.noise;
+        const double lacking = tile.done * (ratio * ratio - 1);
+        const int steps = static_cast<int>(std::min(lacking, 1e6)) / noise_step + 1;
+        more = std::min(more, steps * noise_step);
+    }
+    return std::min(tile.done + more, samples_);
 }
 
 bool Rendering::finished() const {
@@ -115,7 +128,7 @@ int Rendering::samples() const {
 void Rendering::render_tile(Tile& tile, Clock::time_point deadline) {
     const FlushDenormals flush;
     if (tile.row == 0)
-        tile.end = std::min(tile.done + std::clamp(tile.done, 1, longest_pass), samples_);
+        tile.end = next_samples(tile);
     const auto number = static_cast<std::size_t>(tile.x0 + tile.y0 + tile.done);
     PixelRenderer::Batch batch(renderer_, film_, number);
     int y = tile.y0 + tile.row;
@@ -132,6 +145,7 @@ void Rendering::render_tile(Tile& tile, Clock::time_point deadline) {
         return;
     tile.row = 0;
     tile.done = tile.end;
+    tile.error = static_cast<float>(film_.relative_error(tile.x0, tile.y0, tile.x1, tile.y1));
     tile.finished = is_finished(tile);
 }
 
@@ -139,9 +153,10 @@ void Rendering::pass_until(Clock::time_point deadline) {
     pass_start_ = Clock::now();
     const std::clock_t cpu = std::clock();
     const int least = samples();
+    const int goal = least + std::clamp(least, 1, longest_pass);
     parallel_for(tiles_.size(), 1, [&](std::size_t i) {
         Tile& tile = tiles_[i];
-        if (tile.finished || tile.done > least || must_stop(deadline))
+        if (tile.finished || tile.done >= goal || must_stop(deadline))
             return;
         render_tile(tile, deadline);
         report();
@@ -182,6 +197,16 @@ std::uint64_t Rendering::samples_of_tiles() const {
     return sum;
 }
 
+// Each tile by itself, so that it does not depend on how the picture is divided into shards.
+double Rendering::error() const {
+    double sum = 0;
+    for (const Tile& tile : tiles_) {
+        const double error = film_.relative_error(tile.x0, tile.y0, tile.x1, tile.y1);
+        sum += error * error * area(tile);
+    }
+    return pixels_ > 0 ? std::sqrt(sum / double(pixels_)) : 0;
+}
+
 RenderStats Rendering::stats() const {
     RenderStats stats;
     stats.rays = renderer_.rays();
@@ -190,6 +215,7 @@ RenderStats Rendering::stats() const {
     stats.embree_share = renderer_.embree_share();
     stats.invalid_samples = invalid_before_ + renderer_.invalid();
     stats.samples = samples_of_tiles();
+    stats.error = error();
     stats.samples_per_pixel = pixels_ > 0 ? double(stats.samples) / double(pixels_) : 0;
     return stats;
 }

@@ -13,6 +13,7 @@ struct Tile {
     int done = 0;          // samples that each of its pixels has
     int row = 0;           // that many rows, from the top, already have `end`: it was interrupted
     int end = 0;           // samples
+    float error = 0;       // relative, when it last had as many samples everywhere
     bool finished = false; // has all samples that were asked for, or little enough noise
 };
 

@@ -62,7 +62,7 @@ class Carer {
 
   private:
     double time_left(const Rendering& rendering) const {
-        return time_limit_ > 0 ? time_limit_ - rendering.stats().seconds
+        return time_limit_ > 0 ? time_limit_ - rendering.seconds()
                                : std::numeric_limits<double>::infinity();
     }
 
@@ -130,7 +130,7 @@ Rendered render_scene(Session& session, const Scene& scene, const RenderOptions&
     session.stages().end();
     const RenderFigures figures{rendering.stats(), world.instance_count(), world.memory_bytes(),
                                 world.strand_figures()};
-    return {{rendering.take_film(), rendering.stats(), rendering.cancelled()}, figures};
+    return {{rendering.take_film(), figures.stats, rendering.cancelled()}, figures};
 }
 
 } // namespace scree

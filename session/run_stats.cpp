@@ -66,6 +66,7 @@ std::string run_stats_json(const Stages& stages, std::span<const Aggregate> aggr
     if (render != nullptr) {
         const RenderStats& stats = render->stats;
         root["render"] = {{"samples_per_pixel", stats.samples_per_pixel},
+                          {"relative_error", stats.error},
                           {"rays", stats.rays},
                           {"mrays_per_s", stats.mrays_per_s()},
                           {"embree_share", stats.embree_share},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/film/film.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scree {
@@ -45,6 +46,19 @@ bool Film::add(int x, int y, const PathSample& sample, float depth) {
 }
 
 double Film::relative_error(int x0, int y0, int x1, int y1) const {
+    // A pixel's own luminance is high where its error is: the rare bright samples make both. So that
+    // they do not hide, its luminance is taken to be that of its neighbours.
+    const auto luminance_about = [&](int x, int y) {
+        double sum = 0;
+        int count = 0;
+        for (int v = std::max(y - 1, y0); v < std::min(y + 2, y1); ++v)
+            for (int u = std::max(x - 1, x0); u < std::min(x + 2, x1); ++u)
+                if (u != x || v != y) {
+                    sum += pixel_luminance(at(u, v).mean);
+                    ++count;
+                }
+        return count > 0 ? sum / count : pixel_luminance(at(x, y).mean);
+    };
     double sum = 0;
     for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; ++x) {
@@ -53,7 +67,7 @@ double Film::relative_error(int x0, int y0, int x1, int y1) const {
                 return INFINITY;
             const double variance =
                 pixel.luminance_square / (double(pixel.count) * (double(pixel.count) - 1));
-            const double scale = pixel_luminance(pixel.mean) + mid_grey;
+            const double scale = luminance_about(x, y) + mid_grey;
             sum += variance / (scale * scale);
         }
     return std::sqrt(sum / (double(x1 - x0) * double(y1 - y0)));
