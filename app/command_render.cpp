@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "app/file_option.h"
+#include "app/picture_output.h"
 #include "app/scene_options.h"
-#include "core/file.h"
-#include "render/film/color.h"
+#include "session/merge_shards.h"
 #include "session/render_scene.h"
 
 #include <CLI/CLI.hpp>
@@ -28,11 +28,16 @@ struct RenderCommand {
     std::string crop;
     std::vector<std::string> aovs;
     std::string view;
+    std::string shard;
     int samples = 0;
     double time_limit = 0;
     double noise = 0;
     std::uint64_t seed = 0;
+    bool resume = false;
+    bool preview = false;
 };
+
+constexpr double preview_every = 3; // [s]
 
 void parse_size(const std::string& text, FilmSettings& film) {
     int width = 0;
@@ -66,18 +71,27 @@ void check_aovs(const std::vector<std::string>& aovs) {
                 did_you_mean(name, aov_names));
 }
 
-std::string output_of(const RenderCommand& command) {
-    if (command.output.empty()) {
-        const std::string script = file_name(command.scene.path);
-        return script.substr(0, script.rfind('.')) + ".exr";
-    }
-    if (extension(command.output) != "exr")
-        throw Error::usage(command.output + ": expected a name that ends in .exr",
-                           "the PNG to look at is written beside it");
-    return command.output;
+Shard parse_shard(const std::string& text) {
+    Shard shard;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest) != 2 ||
+        shard.index < 1 || shard.index > shard.count || shard.count > 65536)
+        throw Error::usage("--shard " + text + ": expected I/N with I from 1 to N, up to 65536",
+                           "for example --shard 1/4");
+    --shard.index;
+    return shard;
 }
 
-std::string png_beside(const std::string& exr) { return exr.substr(0, exr.size() - 3) + "png"; }
+std::string output_of(const RenderCommand& command) {
+    if (!command.output.empty())
+        return command.output;
+    const std::string script = file_name(command.scene.path);
+    return script.substr(0, script.rfind('.')) + ".exr";
+}
+
+std::string checkpoint_beside(const std::string& exr) {
+    return exr.substr(0, exr.size() - 3) + "checkpoint";
+}
 
 // The provenance of the picture, and the options that it was rendered with.
 Metadata metadata_of(const Scene& scene, const RenderCommand& command) {
@@ -94,7 +108,11 @@ Metadata metadata_of(const Scene& scene, const RenderCommand& command) {
 void write_pictures(const std::string& output, const RenderResult& result, Metadata metadata,
                     const FilmSettings& film, const RenderOptions& options,
                     const RenderCommand& command) {
-    metadata.emplace_back("scree:samples", fmt::format("{:g}", result.stats.samples_per_pixel));
+    metadata.push_back(samples_metadata(result.stats.samples_per_pixel));
+    if (!command.shard.empty())
+        std::ranges::copy(shard_metadata({options.shard, result.stats.samples, result.cancelled,
+                                          command.view, film.exposure}),
+                          std::back_inserter(metadata));
     std::vector<ImagePart> parts = result.film.parts();
     std::erase_if(parts, [&](const ImagePart& part) {
         return part.name != "beauty" &&
@@ -114,16 +132,34 @@ RenderOptions options_of(const RenderCommand& command, const Scene& scene) {
     options.time_limit = command.time_limit;
     options.noise = command.noise;
     options.seed = command.seed;
+    if (!command.shard.empty())
+        options.shard = parse_shard(command.shard);
     if (!command.crop.empty())
         options.crop = parse_crop(command.crop, scene.film);
     return options;
 }
 
+RenderCare care_of(const RenderCommand& command, const std::string& output,
+                   const FilmSettings& film) {
+    RenderCare care;
+    care.checkpoint = checkpoint_beside(output);
+    care.resume = command.resume;
+    if (command.preview) {
+        care.preview_every = preview_every;
+        care.preview = [=, view = command.view, exposure = film.exposure](const Film& so_far) {
+            write_png(png_beside(output), to_display(so_far.beauty(), view, exposure));
+        };
+    }
+    return care;
+}
+
 int run_render(const RenderCommand& command) {
     // Everything that can be invalid is checked before rendering.
     const std::string output = output_of(command);
+    check_picture_output(output);
     check_aovs(command.aovs);
-    check_writable(output);
+    if (!command.shard.empty())
+        parse_shard(command.shard);
     if (!command.stats.empty())
         check_writable(command.stats);
     to_display(Image(1, 1, {"R", "G", "B"}), command.view); // throws for an unknown view or $OCIO
@@ -148,7 +184,8 @@ int run_render(const RenderCommand& command) {
         parse_size(command.size, draft.scene.film);
     const RenderOptions options = options_of(command, draft.scene);
     const Scene scene = session.bake(std::move(draft));
-    const Rendered rendered = render_scene(session, scene, options);
+    const Rendered rendered =
+        render_scene(session, scene, options, care_of(command, output, scene.film));
     session.stages().begin("write");
     write_pictures(output, rendered.result, metadata_of(scene, command), scene.film, options,
                    command);
@@ -165,7 +202,7 @@ int run_render(const RenderCommand& command) {
         write_file(command.stats,
                    run_stats_json(session.stages(), scene.aggregates, &rendered.figures));
     if (rendered.result.cancelled)
-        run.console.say("interrupted: the picture holds what was done");
+        run.console.say("interrupted: the picture holds what was done; --resume continues it");
     return 0;
 }
 
@@ -198,11 +235,21 @@ void add_render_command(CLI::App& app, Run& run) {
         ->delimiter(',')
         ->allow_extra_args(false) // or it would take the scene's name too
         ->type_name("LIST");
+    command->add_flag("--resume", options->resume,
+                      "Continue the render that was interrupted (Ctrl-C, a crash, --time), or one "
+                      "that was itself resumed, with more --spp");
+    command
+        ->add_option("--shard", options->shard,
+                     "Render one of N shares of the picture; see scree merge --help")
+        ->type_name("I/N");
+    command->add_flag("--preview", options->preview, "Refresh the .png while rendering");
     command->add_option("--view", options->view, "View for the .png; see `scree view --help`")
         ->type_name("NAME");
     add_stats_option(*command, options->stats);
-    command->footer("Ctrl-C keeps what is done.\n"
-                    "Example:\n  scree render scenes/toys.lua -o toys.exr --spp 64 --aov albedo,N");
+    command->footer(
+        "Ctrl-C keeps what is done. Every minute, and where a render ends unfinished, its\n"
+        "state is written to a .checkpoint beside the .exr, from which --resume goes on.\n"
+        "Example:\n  scree render scenes/toys.lua -o toys.exr --spp 64 --aov albedo,N");
     command->callback([options, &run] { run = [options] { return run_render(*options); }; });
 }
 

@@ -53,6 +53,7 @@ void Console::progress(const std::string& what, double fraction, const std::stri
         return;
     if (what != last_what_) {
         last_what_ = what;
+        first_fraction_ = fraction;
         started_ = Clock::now();
         last_shown_ = Clock::now();
         if (!terminal_)
@@ -67,10 +68,10 @@ void Console::progress(const std::string& what, double fraction, const std::stri
     last_shown_ = Clock::now();
     fraction = std::clamp(fraction, 0.0, 1.0);
     const double elapsed = seconds_since(started_);
-    const std::string left =
-        fraction > 0.01 && fraction < 1
-            ? ", " + format_duration(elapsed * (1 - fraction) / fraction) + " left"
-            : std::string();
+    const double done = fraction - first_fraction_; // a resumed render does not begin at 0
+    const std::string left = done > 0.01 && fraction < 1
+                                 ? ", " + format_duration(elapsed * (1 - fraction) / done) + " left"
+                                 : std::string();
     if (!terminal_) {
         fmt::print(stderr, "{} {:.0f}%{}{}\n", what, 100 * fraction, detail, left);
         return;

@@ -28,6 +28,7 @@ class Console final : public Watcher {
     bool terminal_;
     bool bar_shown_ = false;
     std::string last_what_;
+    double first_fraction_ = 0;
     std::chrono::steady_clock::time_point last_shown_;
     std::chrono::steady_clock::time_point started_;
 };

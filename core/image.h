@@ -68,14 +68,6 @@ Image read_image(const std::string& path, const ImageOptions& options = {});
 /// and Y, or all of them when it has none of these.
 Image read_data_image(const std::string& path, const ImageOptions& options = {});
 
-/// All parts of an EXR, and the first part's header: strings and non-standard numbers.
-struct ExrFile {
-    std::vector<ImagePart> parts;
-    Metadata metadata;
-    HeaderNumbers numbers;
-};
-ExrFile read_exr(const std::string& path);
-
 /// Where the pixels of a cropped picture lie in the whole one [pixels].
 struct PictureWindow {
     int x = 0; // of the left column
@@ -83,6 +75,15 @@ struct PictureWindow {
     int whole_width = 0;
     int whole_height = 0;
 };
+
+/// All parts of an EXR, and the first part's header: strings and non-standard numbers.
+struct ExrFile {
+    std::vector<ImagePart> parts;
+    Metadata metadata;
+    HeaderNumbers numbers;
+    std::optional<PictureWindow> window{}; // of the first part, when it is not the whole picture
+};
+ExrFile read_exr(const std::string& path);
 
 /// Writes a multi-part EXR atomically (zip compressed, every part with the metadata). With a window
 /// the pixels are the data window in the display window of the whole picture. Throws Error

@@ -173,6 +173,15 @@ void to_rec709(Image& image, const Imf::Header& header) {
         convert_primaries(image, rec709_from(primaries));
 }
 
+std::optional<PictureWindow> window_of(const Imf::Header& header) {
+    const Box2i& data = header.dataWindow();
+    const Box2i& display = header.displayWindow();
+    if (data == display)
+        return {};
+    return PictureWindow{data.min.x - display.min.x, data.min.y - display.min.y,
+                         display.max.x - display.min.x + 1, display.max.y - display.min.y + 1};
+}
+
 // Standard attributes, which are not ours.
 bool is_standard_number(const std::string& name) {
     return name == "pixelAspectRatio" || name == "screenWindowCenter" ||
@@ -239,6 +248,7 @@ ExrFile read_exr(const std::string& path) {
         for (int i = 0; i < file.parts(); ++i)
             result.parts.push_back(read_part(path, file, i));
         const Imf::Header& header = file.header(0);
+        result.window = window_of(header);
         for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
             const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute());
             const std::string name = attribute.name();

@@ -60,6 +60,7 @@ enum class Purpose : std::uint32_t {
     fibre_place = 91,
     fibre_root = 92,
     fibre_attribute = 93,
+    shard_order = 100,
 };
 
 /// A stream of uniform random numbers keyed by (seed, purpose, index): Philox 4x32-10 (Salmon et

@@ -4,6 +4,8 @@
 #include "core/image.h"
 #include "render/film/path_sample.h"
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace scree {
@@ -21,6 +23,10 @@ class Film {
     /// Adds one sample to a pixel; `depth` is that of sample.position. Drops it and answers false
     /// when a value is not finite or negative.
     bool add(int x, int y, const PathSample& sample, float depth);
+
+    /// Everything that was added, as bytes: for films of the same size, program and machine.
+    std::span<const std::byte> state() const { return std::as_bytes(std::span(pixels_)); }
+    std::span<std::byte> state() { return std::as_writable_bytes(std::span(pixels_)); }
 
     std::uint32_t samples(int x, int y) const { return at(x, y).count; }
 

@@ -36,82 +36,36 @@ Vec3 SunSampler::sample(const Vec2f& u) const {
     return unit(frame_.world_from_local(warp::cap(u, cap_)));
 }
 
-AreaSampler::AreaSampler(const AreaLight& light)
-    : light_(light), radiance_(light.radiance), normal_(light.normal()),
-      area_(light.edge_u.cross(light.edge_v).length()) {}
-
-float AreaSampler::pdf(const Vec3& direction, float distance) const {
-    const float cosine = -direction.dot(normal_);
-    return cosine > 0 ? distance * distance / (cosine * area_) : 0;
-}
-
-LightSample AreaSampler::sample(const Vec3& point, const Vec2f& u) const {
-    const Vec3 target =
-        Vec3(light_.centre) + light_.edge_u * (u.x - 0.5F) + light_.edge_v * (u.y - 0.5F);
-    const Vec3 way = target - point;
-    const float distance = std::sqrt(way.dot(way));
-    LightSample sample;
-    if (!(distance > 0))
-        return sample;
-    sample.direction = way / distance;
-    sample.distance = distance;
-    sample.pdf = pdf(sample.direction, distance);
-    sample.radiance = radiance(sample.direction);
-    return sample;
-}
-
-float AreaSampler::irradiance(const Vec3& point) const {
-    const Vec3 way = Vec3(light_.centre) - point;
-    const float height = -way.dot(normal_); // above the light's plane
-    if (!(height > 0))
-        return 0;
-    // That of a point light at its centre, but never more than a hemisphere of light would give.
-    const float square = way.dot(way);
-    const float cosine = height / std::sqrt(square);
-    return luminance(radiance_) * std::min(pi_f, area_ * cosine / square);
-}
-
-LightSampler::LightSampler(std::span<const Light> lights, bool compensate) {
-    for (std::uint32_t i = 0; i < lights.size(); ++i) {
+LightSampler::LightSampler(std::span<const Light> lights, bool compensate)
+    : area_of_(lights.size()) {
+    std::vector<AreaSampler> areas;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (const auto* area = std::get_if<AreaLight>(&lights[i])) {
+            area_of_[i] = static_cast<std::uint32_t>(areas.size());
+            areas.emplace_back(*area);
+            continue;
+        }
         if (const auto* sky = std::get_if<Sky>(&lights[i]))
-            lights_.emplace_back(SkySampler(*sky, compensate));
-        else if (const auto* sun = std::get_if<Sun>(&lights[i]))
-            lights_.emplace_back(SunSampler(*sun));
+            infinite_.emplace_back(SkySampler(*sky, compensate));
         else
-            lights_.emplace_back(AreaSampler(std::get<AreaLight>(lights[i])));
-        const bool area = std::holds_alternative<AreaSampler>(lights_.back());
-        (area ? areas_ : infinite_).push_back(i);
-        if (!area)
-            infinite_weight_ += weight(i, {});
-        if (area || weight(i, {}) > 0)
-            ++sampled_count_;
+            infinite_.emplace_back(SunSampler(std::get<Sun>(lights[i])));
+        infinite_weight_ += infinite_weight(infinite_.size() - 1);
     }
+    areas_ = LightTree(areas);
+    empty_ = areas.empty() && !(infinite_weight_ > 0);
 }
 
-float LightSampler::weight(std::size_t light, const Vec3& point) const {
-    if (const auto* area = std::get_if<AreaSampler>(&lights_[light]))
-        return area->irradiance(point);
-    if (const auto* sun = std::get_if<SunSampler>(&lights_[light]))
+float LightSampler::infinite_weight(std::size_t light) const {
+    if (const auto* sun = std::get_if<SunSampler>(&infinite_[light]))
         return sun->irradiance();
-    return std::get<SkySampler>(lights_[light]).irradiance();
+    return std::get<SkySampler>(infinite_[light]).irradiance();
 }
 
-float LightSampler::total_weight(const Vec3& point) const {
-    float total = infinite_weight_;
-    for (const std::uint32_t i : areas_)
-        total += weight(i, point);
-    return total;
-}
-
-LightSample LightSampler::sample(const Vec3& point, float choice, const Vec2f& u) const {
-    const float total = total_weight(point);
-    if (!(total > 0))
-        return {};
-    float left = choice * total;
-    std::size_t chosen = lights_.size();
+LightSample LightSampler::sample_infinite(float left, const Vec2f& u, float total) const {
+    std::size_t chosen = 0;
     float chosen_weight = 0;
-    for (std::size_t i = 0; i < lights_.size(); ++i) {
-        const float w = weight(i, point);
+    for (std::size_t i = 0; i < infinite_.size(); ++i) {
+        const float w = infinite_weight(i);
         if (w > 0) { // by rounding, `left` may exceed the last one's weight
             chosen = i;
             chosen_weight = w;
@@ -121,31 +75,46 @@ LightSample LightSampler::sample(const Vec3& point, float choice, const Vec2f& u
         left -= w;
     }
     LightSample sample;
-    if (const auto* area = std::get_if<AreaSampler>(&lights_[chosen])) {
-        sample = area->sample(point, u);
+    sample.distance = std::numeric_limits<float>::infinity();
+    if (const auto* sun = std::get_if<SunSampler>(&infinite_[chosen])) {
+        sample.direction = sun->sample(u);
+        sample.pdf = sun->pdf(sample.direction);
+        sample.radiance = sun->radiance(sample.direction);
     } else {
-        sample.distance = std::numeric_limits<float>::infinity();
-        if (const auto* sun = std::get_if<SunSampler>(&lights_[chosen])) {
-            sample.direction = sun->sample(u);
-            sample.pdf = sun->pdf(sample.direction);
-            sample.radiance = sun->radiance(sample.direction);
-        } else {
-            const auto& sky = std::get<SkySampler>(lights_[chosen]);
-            sample.direction = sky.sample(u, sample.pdf);
-            sample.radiance = sky.radiance(sample.direction);
-        }
+        const auto& sky = std::get<SkySampler>(infinite_[chosen]);
+        sample.direction = sky.sample(u, sample.pdf);
+        sample.radiance = sky.radiance(sample.direction);
     }
     sample.pdf *= chosen_weight / total;
     return sample;
 }
 
+LightSample LightSampler::sample(const Vec3& point, float choice, const Vec2f& u) const {
+    const float area_weight = areas_.irradiance(point);
+    const float total = infinite_weight_ + area_weight;
+    if (!(total > 0))
+        return {};
+    const float left = choice * total;
+    if (left < infinite_weight_ || !(area_weight > 0))
+        return sample_infinite(left, u, total);
+    const float rest = std::min((left - infinite_weight_) / area_weight, 1 - 0x1p-24F);
+    const LightTree::Choice chosen = areas_.choose(point, rest);
+    if (!(chosen.probability > 0))
+        return {};
+    LightSample sample = areas_.light(chosen.light).sample(point, u);
+    sample.pdf *= chosen.probability * area_weight / total;
+    return sample;
+}
+
 Color LightSampler::area(std::uint32_t light, const Vec3& point, const Vec3& direction,
                          float distance, float& pdf) const {
-    const auto& area = std::get<AreaSampler>(lights_[light]);
+    const std::uint32_t index = area_of_[light];
+    const AreaSampler& area = areas_.light(index);
     pdf = 0;
-    const float w = area.irradiance(point);
-    if (w > 0)
-        pdf = area.pdf(direction, distance) * w / total_weight(point);
+    const float probability = areas_.probability(index, point);
+    if (probability > 0)
+        pdf = area.pdf(direction, distance) * probability * areas_.irradiance(point) /
+              total_weight(point);
     return area.radiance(direction);
 }
 

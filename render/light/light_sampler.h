@@ -3,20 +3,13 @@
 #pragma once
 
 #include "core/frame.h"
+#include "render/light/light_tree.h"
 #include "render/light/sky_sampler.h"
 
 #include <span>
 #include <vector>
 
 namespace scree {
-
-/// A direction in which light may arrive.
-struct LightSample {
-    Vec3 direction;     // unit, towards the light
-    float distance = 0; // [m]; infinite for sky and sun
-    Color radiance{0.0F, 0.0F, 0.0F};
-    float pdf = 0; // per solid angle, with the choice of the light; 0: no light
-};
 
 /// A uniform cone of directions: the sun.
 class SunSampler {
@@ -40,31 +33,8 @@ class SunSampler {
     float irradiance_;
 };
 
-/// A rectangle, sampled uniformly by area.
-class AreaSampler {
-  public:
-    explicit AreaSampler(const AreaLight& light);
-
-    /// Light from the front only.
-    Color radiance(const Vec3& direction) const {
-        return direction.dot(normal_) < 0 ? radiance_ : Color(0.0F, 0.0F, 0.0F);
-    }
-    /// Density of arriving at distance `distance` along `direction` from some point.
-    float pdf(const Vec3& direction, float distance) const;
-    LightSample sample(const Vec3& point, const Vec2f& u) const;
-    /// An estimate of the irradiance at `point` on a surface that faces the light; 0 only where the
-    /// irradiance is 0.
-    float irradiance(const Vec3& point) const;
-
-  private:
-    AreaLight light_;
-    Color radiance_;
-    Vec3 normal_;
-    float area_;
-};
-
 /// All lights of a scene. One light is chosen with probability in proportion to the irradiance it
-/// would give, unoccluded, to a surface that faces it.
+/// would give, unoccluded, to a surface that faces it; of many area lights, roughly so.
 class LightSampler {
   public:
     /// `compensate`: leave the uniform part of the sky to BSDF sampling, which is good at it
@@ -84,37 +54,40 @@ class LightSampler {
     Color area(std::uint32_t light, const Vec3& point, const Vec3& direction, float distance,
                float& pdf) const;
 
-    bool empty() const { return sampled_count_ == 0; }
+    bool empty() const { return empty_; }
 
   private:
-    float weight(std::size_t light, const Vec3& point) const;
-    float total_weight(const Vec3& point) const;
+    float infinite_weight(std::size_t light) const;
+    float total_weight(const Vec3& point) const {
+        return infinite_weight_ + areas_.irradiance(point);
+    }
+    LightSample sample_infinite(float left, const Vec2f& u, float total) const;
 
-    std::vector<std::variant<SkySampler, SunSampler, AreaSampler>> lights_;
-    std::vector<std::uint32_t> infinite_; // indices of skies and suns
+    std::vector<std::variant<SkySampler, SunSampler>> infinite_;
     float infinite_weight_ = 0;
-    std::vector<std::uint32_t> areas_;
-    std::size_t sampled_count_ = 0;
+    LightTree areas_;
+    std::vector<std::uint32_t> area_of_; // by the number in the scene's list
+    bool empty_ = true;
 };
 
 template <class Visit>
 void LightSampler::at_infinity(const Vec3& point, const Vec3& direction, const Visit& visit) const {
     float total = -1;
-    for (const std::uint32_t i : infinite_) {
+    for (std::size_t i = 0; i < infinite_.size(); ++i) {
         Color radiance;
         float pdf = 0;
-        if (const auto* sky = std::get_if<SkySampler>(&lights_[i])) {
+        if (const auto* sky = std::get_if<SkySampler>(&infinite_[i])) {
             radiance = sky->radiance(direction);
             pdf = sky->pdf(direction);
         } else {
-            const auto& sun = std::get<SunSampler>(lights_[i]);
+            const auto& sun = std::get<SunSampler>(infinite_[i]);
             radiance = sun.radiance(direction);
             pdf = sun.pdf(direction);
         }
         if (pdf > 0) {
             if (total < 0)
                 total = total_weight(point);
-            pdf *= weight(i, point) / total;
+            pdf *= infinite_weight(i) / total;
         }
         visit(radiance, pdf);
     }

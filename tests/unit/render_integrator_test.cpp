@@ -264,14 +264,14 @@ TEST(Render, StopsOnCancelTimeAndNoise) {
     Context context;
     context.cancel = &cancel;
     options = {};
-    options.on_pass = [&](const Film&, int samples) {
-        if (samples >= 8)
-            cancel.request();
-    };
     const World world(stage.aggregates, stage.lights);
-    const RenderResult stopped = render(world, stage.camera, stage.film, options, context);
-    EXPECT_TRUE(stopped.cancelled);
-    EXPECT_EQ(stopped.stats.samples_per_pixel, 8);
+    Rendering rendering(world, stage.camera, stage.film, options, context);
+    while (rendering.samples() < 8)
+        rendering.pass();
+    cancel.request();
+    rendering.step(1000);
+    EXPECT_TRUE(rendering.cancelled());
+    EXPECT_EQ(rendering.stats().samples_per_pixel, 8);
 }
 
 // Requests the cancel at its n-th evaluation.
@@ -303,13 +303,15 @@ TEST(Render, APassThatIsCancelledDoesNotCountItsSamples) {
     std::vector<int> passes;
     RenderOptions options;
     options.threads = 1;
-    options.on_pass = [&](const Film&, int samples) { passes.push_back(samples); };
     const World world(stage.aggregates, stage.lights);
-    const RenderResult result = render(world, stage.camera, stage.film, options, context);
-    EXPECT_TRUE(result.cancelled);
+    Rendering rendering(world, stage.camera, stage.film, options, context);
+    while (!rendering.cancelled()) {
+        rendering.pass();
+        passes.push_back(rendering.samples());
+    }
     EXPECT_EQ(passes, (std::vector<int>{1, 1}));
-    EXPECT_GT(result.stats.samples_per_pixel, 1);
-    EXPECT_LT(result.stats.samples_per_pixel, 1.25) << "a tile is a quarter of the picture";
+    EXPECT_GT(rendering.stats().samples_per_pixel, 1);
+    EXPECT_LT(rendering.stats().samples_per_pixel, 1.25) << "a tile is a quarter of the picture";
 }
 
 TEST(Film, VarianceOfTheMeanIsRight) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture is written as an .exr, and beside it a .png to look at.
+#pragma once
+
+#include "core/file.h"
+#include "core/image.h"
+#include "render/film/color.h"
+
+#include <string>
+
+namespace scree {
+
+/// Throws Error unless `path` ends in .exr (usage) and can be written (resource).
+void check_picture_output(const std::string& path);
+
+/// "toys.png" for "toys.exr".
+std::string png_beside(const std::string& exr);
+
+} // namespace scree
