@@ -75,7 +75,7 @@ Vec3 bent_normal(const Hit& hit, const Vec3& slope, TextureUnit unit_of_slope) {
         const Vec3& n = hit.shading_normal;
         return unit(n - gradient + n * n.dot(gradient));
     }
-    const Vec3* rows = hit.record->rows;
+    const std::array<Vec3, 4>& rows = hit.record->rows;
     const Vec3& n = hit.shading_normal;
     const Vec3 normal = unit(Vec3(rows[0].dot(n), rows[1].dot(n), rows[2].dot(n)));
     return unit(hit.record->normal(normal - slope + normal * normal.dot(slope)));

@@ -3,6 +3,7 @@
 
 #include "model/aggregate.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -10,7 +11,7 @@ namespace scree {
 
 /// What shading needs of an instance: 64 bytes, one cache line per hit.
 struct InstanceRecord {
-    Vec3 rows[4]; // of world_from_object, relative to the world's origin
+    std::array<Vec3, 4> rows; // of world_from_object, relative to the world's origin
     std::uint32_t prototype;
     float random;
     float scale; // of lengths, mean over the axes

@@ -35,11 +35,9 @@ Place gradient(const Function& value, const Place& at, double step) {
 Place shortest(const std::vector<Place>& gradients) {
     Place best = gradients[0];
     for (int i = 0; i < 60; ++i) {
-        const Place* lowest = nullptr;
-        for (const Place& g : gradients)
-            if (lowest == nullptr || dot(best, g) < dot(best, *lowest))
-                lowest = &g;
-        const Place way = along(*lowest, best, -1);
+        const Place lowest =
+            *std::ranges::min_element(gradients, {}, [&](const Place& g) { return dot(best, g); });
+        const Place way = along(lowest, best, -1);
         const double squared = dot(way, way);
         if (squared == 0)
             break;

@@ -157,9 +157,9 @@ TEST(LargestEmptyCircle, NoPointOfAFineGridHasMoreRoom) {
         EXPECT_NEAR(room(circle.centre), circle.radius, 1e-12);
         constexpr double step = 0.02;
         double best = 0;
-        for (double x = 0; x <= 2; x += step)
-            for (double y = 0; y <= 1; y += step)
-                best = std::max(best, room({x, y}));
+        for (int i = 0; i <= 100; ++i)
+            for (int k = 0; k <= 50; ++k)
+                best = std::max(best, room({i * step, k * step}));
         EXPECT_GE(circle.radius * (1 + 1e-4), best);
         EXPECT_LE(circle.radius, best + step * std::sqrt(0.5)); // distances are 1-Lipschitz
     }

@@ -27,7 +27,7 @@ using namespace tests;
 class MeshFile : public testing::Test {
   protected:
     std::string write(const std::string& name, std::string_view bytes) {
-        const std::string path = folder_.file(name);
+        std::string path = folder_.file(name);
         write_file(path, bytes);
         return path;
     }

@@ -32,7 +32,8 @@ void brute_force(Image& image, const test::Look& look, const PicturePlace& place
         for (int x = 0; x < image.width; ++x) {
             std::array<double, 4> sum{};
             for (int i = 0; i < n * n; ++i) {
-                const Vec2 d = Vec2(x + (i % n + 0.5) / n, y + (i / n + 0.5) / n) - place.origin;
+                const int row = i / n;
+                const Vec2 d = Vec2(x + (i % n + 0.5) / n, y + (row + 0.5) / n) - place.origin;
                 const double u = cross(d, place.v) / area, v = cross(place.u, d) / area;
                 if (u < 0 || v < 0 || u > 1 || v > 1)
                     continue;

@@ -114,7 +114,8 @@ TEST(PileSettle, BallRollsIntoThePocketOfThree) {
         };
         for (int k = 0; k < 12; ++k) {
             PlacedBody start;
-            const double angle = 2 * pi * k / 3 + 0.12 * (k / 3 - 1.5);
+            const int round = k / 3;
+            const double angle = 2 * pi * k / 3 + 0.12 * (round - 1.5);
             const double x = 0.4 * from_middle * std::cos(angle);
             const double z = 0.4 * from_middle * std::sin(angle);
             start.pose.centre = {x, lowest_free(x, z) + 0.05 * r, z};

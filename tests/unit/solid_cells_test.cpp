@@ -93,9 +93,11 @@ TEST(SolidCells, SearchIsExact) {
         for (int i = 0; i < 400; ++i)
             expect_search_is_exact(float(random.uniform(-50, 50)), float(random.uniform(-50, 50)),
                                    float(random.uniform(-50, 50)), jitter);
-        for (int i = 0; i < 100; ++i) // on the grid's faces, edges and corners
-            expect_search_is_exact(float(i % 5), float(i / 5 % 4) + (i % 2 == 0 ? 0.5F : 0.0F),
-                                   float(i / 20) - 2, jitter);
+        for (int x = 0; x < 5; ++x) // on the grid's faces, edges and corners
+            for (int y = 0; y < 4; ++y)
+                for (int z = -2; z < 3; ++z)
+                    expect_search_is_exact(float(x), float(y) + ((x + y) % 2 == 0 ? 0.5F : 0.0F),
+                                           float(z), jitter);
     }
 }
 

@@ -25,7 +25,8 @@ template <class Value>
 Polygon clipped(const Polygon& polygon, const Value& value) {
     Polygon out;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+        const Vec2& a = polygon[i];
+        const Vec2& b = polygon[(i + 1) % polygon.size()];
         const double va = value(a), vb = value(b);
         if (va >= 0)
             out.push_back(a);
@@ -135,7 +136,8 @@ TEST(UvRaster, WrapsRoundBeyondTheUnitSquare) {
     EXPECT_TRUE(raster.wraps());
     for (const std::uint32_t texel : raster.covered_texels()) { // the mesh's UVs, up to whole tiles
         const Vec2f uv = raster.place(texel).uv;
-        const double x = uv.x * 19 - 0.5 - texel % 19, y = (1 - uv.y) * 33 - 0.5 - texel / 19;
+        const std::uint32_t row = texel / 19;
+        const double x = uv.x * 19 - 0.5 - texel % 19, y = (1 - uv.y) * 33 - 0.5 - row;
         EXPECT_NEAR(x / 19, std::round(x / 19), 1e-5);
         EXPECT_NEAR(y / 33, std::round(y / 33), 1e-5);
     }
@@ -165,7 +167,8 @@ TEST(UvRaster, PlacesAreThoseOfTexelCentresAlsoBeyondTheEdge) {
     const Mesh mesh = map.mesh(0.21F, 0.83F);
     const UvRaster raster(mesh, 50, 31);
     for (const std::uint32_t texel : raster.covered_texels()) {
-        const Vec2 centre((texel % 50 + 0.5) / 50, 1 - (texel / 50 + 0.5) / 31);
+        const std::uint32_t row = texel / 50;
+        const Vec2 centre((texel % 50 + 0.5) / 50, 1 - (row + 0.5) / 31);
         const TexelPlace place = raster.place(texel);
         EXPECT_NEAR(place.uv.x, centre.x, 1e-6);
         EXPECT_NEAR(place.uv.y, centre.y, 1e-6);
@@ -249,8 +252,8 @@ TEST(UvGutter, IsTheNearestCoveredTexelRoundTheTexture) {
          {std::tuple(31, 20, 0.02F), std::tuple(16, 33, 0.3F), std::tuple(1, 9, 0.3F),
           std::tuple(40, 1, 0.1F), std::tuple(24, 24, 0.002F)}) {
         std::vector<bool> covered(std::size_t(width) * std::size_t(height));
-        for (std::size_t i = 0; i < covered.size(); ++i)
-            covered[i] = random.uniform_float() < share;
+        for (auto&& texel : covered)
+            texel = random.uniform_float() < share;
         covered[covered.size() / 3] = true;
         const std::vector<std::uint32_t> nearest = nearest_covered(width, height, covered);
         const auto distance = [&, w = width, h = height](int a, int b) {

