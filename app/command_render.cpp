@@ -4,6 +4,7 @@
 #include "app/scene_options.h"
 #include "core/file.h"
 #include "render/film/color.h"
+#include "render/film/denoise.h"
 #include "session/render_scene.h"
 
 #include <CLI/CLI.hpp>
@@ -13,6 +14,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace scree {
 
@@ -28,6 +30,7 @@ struct RenderCommand {
     std::string crop;
     std::vector<std::string> aovs;
     std::string view;
+    bool denoise = false;
     int samples = 0;
     double time_limit = 0;
     double noise = 0;
@@ -91,9 +94,10 @@ Metadata metadata_of(const Scene& scene, const RenderCommand& command) {
     return metadata;
 }
 
-void write_pictures(const std::string& output, const RenderResult& result, Metadata metadata,
-                    const FilmSettings& film, const RenderOptions& options,
-                    const RenderCommand& command) {
+// `denoised`: what the .png shows, and a further part of the .exr; else both have the beauty alone.
+void write_pictures(const std::string& output, const RenderResult& result,
+                    std::optional<Image> denoised, Metadata metadata, const FilmSettings& film,
+                    const RenderOptions& options, const RenderCommand& command) {
     metadata.emplace_back("scree:samples", fmt::format("{:g}", result.stats.samples_per_pixel));
     std::vector<ImagePart> parts = result.film.parts();
     std::erase_if(parts, [&](const ImagePart& part) {
@@ -103,8 +107,11 @@ void write_pictures(const std::string& output, const RenderResult& result, Metad
     std::optional<PictureWindow> window;
     if (options.crop)
         window = {options.crop->x, options.crop->y, film.width, film.height};
+    if (denoised)
+        parts.insert(parts.begin() + 1, {"denoised", std::move(*denoised), true});
     write_exr(output, parts, metadata, {}, window);
-    Image shown = to_display(parts.front().image, command.view, film.exposure);
+    const Image& clean = parts[command.denoise ? 1 : 0].image;
+    const Image shown = to_display(clean, command.view, film.exposure);
     write_png(png_beside(output), shown);
 }
 
@@ -149,9 +156,17 @@ int run_render(const RenderCommand& command) {
     const RenderOptions options = options_of(command, draft.scene);
     const Scene scene = session.bake(std::move(draft));
     const Rendered rendered = render_scene(session, scene, options);
+    std::optional<Image> denoised;
+    if (command.denoise) {
+        session.stages().begin("denoise");
+        denoised = denoise(rendered.result.film);
+        session.stages().end();
+        run.console.say(
+            fmt::format("denoised in {:.1f} s", session.stages().costs().back().wall_s));
+    }
     session.stages().begin("write");
-    write_pictures(output, rendered.result, metadata_of(scene, command), scene.film, options,
-                   command);
+    write_pictures(output, rendered.result, std::move(denoised), metadata_of(scene, command),
+                   scene.film, options, command);
     session.stages().end();
 
     const RenderStats& stats = rendered.result.stats;
@@ -198,6 +213,8 @@ void add_render_command(CLI::App& app, Run& run) {
         ->delimiter(',')
         ->allow_extra_args(false) // or it would take the scene's name too
         ->type_name("LIST");
+    command->add_flag("--denoise", options->denoise,
+                      "Add a part without noise to the .exr, and show it in the .png");
     command->add_option("--view", options->view, "View for the .png; see `scree view --help`")
         ->type_name("NAME");
     add_stats_option(*command, options->stats);
