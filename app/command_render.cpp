@@ -3,6 +3,7 @@
 #include "app/file_option.h"
 #include "app/picture_output.h"
 #include "app/scene_options.h"
+#include "render/film/denoise.h"
 #include "session/merge_shards.h"
 #include "session/render_scene.h"
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 namespace scree {
 
@@ -36,6 +38,7 @@ struct RenderCommand {
     std::uint64_t seed = 0;
     bool resume = false;
     bool preview = false;
+    bool denoise = false;
 };
 
 constexpr double preview_every = 3; // [s]
@@ -106,9 +109,10 @@ Metadata metadata_of(const Scene& scene, const RenderCommand& command) {
     return metadata;
 }
 
-void write_pictures(const std::string& output, const RenderResult& result, Metadata metadata,
-                    const FilmSettings& film, const RenderOptions& options,
-                    const RenderCommand& command) {
+// `denoised`: what the .png shows, and a further part of the .exr; else both have the beauty alone.
+void write_pictures(const std::string& output, const RenderResult& result,
+                    std::optional<Image> denoised, Metadata metadata, const FilmSettings& film,
+                    const RenderOptions& options, const RenderCommand& command) {
     metadata.push_back(samples_metadata(result.stats.samples_per_pixel));
     if (!command.shard.empty())
         std::ranges::copy(shard_metadata({options.shard, result.stats.samples, result.cancelled,
@@ -122,8 +126,11 @@ void write_pictures(const std::string& output, const RenderResult& result, Metad
     std::optional<PictureWindow> window;
     if (options.crop)
         window = {options.crop->x, options.crop->y, film.width, film.height};
+    if (denoised)
+        parts.insert(parts.begin() + 1, {"denoised", std::move(*denoised), true});
     write_exr(output, parts, metadata, {}, window);
-    Image shown = to_display(parts.front().image, command.view, film.exposure);
+    const Image& clean = parts[command.denoise ? 1 : 0].image;
+    const Image shown = to_display(clean, command.view, film.exposure);
     write_png(png_beside(output), shown);
 }
 
@@ -159,8 +166,11 @@ int run_render(const RenderCommand& command) {
     const std::string output = output_of(command);
     check_picture_output(output);
     check_aovs(command.aovs);
-    if (!command.shard.empty())
+    if (!command.shard.empty()) {
         parse_shard(command.shard);
+        if (command.denoise)
+            throw Error::usage("--denoise takes the whole picture, not one --shard of it");
+    }
     if (!command.stats.empty())
         check_writable(command.stats);
     to_display(Image(1, 1, {"R", "G", "B"}), command.view); // throws for an unknown view or $OCIO
@@ -187,9 +197,17 @@ int run_render(const RenderCommand& command) {
     const Scene scene = session.bake(std::move(draft));
     const Rendered rendered =
         render_scene(session, scene, options, care_of(command, output, scene.film));
+    std::optional<Image> denoised;
+    if (command.denoise) {
+        session.stages().begin("denoise");
+        denoised = denoise(rendered.result.film);
+        session.stages().end();
+        run.console.say(
+            fmt::format("denoised in {:.1f} s", session.stages().costs().back().wall_s));
+    }
     session.stages().begin("write");
-    write_pictures(output, rendered.result, metadata_of(scene, command), scene.film, options,
-                   command);
+    write_pictures(output, rendered.result, std::move(denoised), metadata_of(scene, command),
+                   scene.film, options, command);
     session.stages().end();
 
     const RenderStats& stats = rendered.result.stats;
@@ -246,6 +264,8 @@ void add_render_command(CLI::App& app, Run& run) {
                      "Render one of N shares of the picture; see scree merge --help")
         ->type_name("I/N");
     command->add_flag("--preview", options->preview, "Refresh the .png while rendering");
+    command->add_flag("--denoise", options->denoise,
+                      "Add a part without noise to the .exr, and show it in the .png");
     command->add_option("--view", options->view, "View for the .png; see `scree view --help`")
         ->type_name("NAME");
     add_stats_option(*command, options->stats);

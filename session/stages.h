@@ -9,7 +9,7 @@ namespace scree {
 
 /// The cost of one stage of a run.
 struct StageCost {
-    std::string name; // parse, generate, build, render, write
+    std::string name; // parse, generate, build, render, denoise, write
     double wall_s = 0;
     double cpu_s = 0;    // of all threads
     double peak_mib = 0; // largest resident memory during the stage

@@ -2,6 +2,7 @@
 #include "render/film/film.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace scree {
@@ -30,6 +31,11 @@ bool Film::add(int x, int y, const PathSample& sample, float depth) {
             pixel.position = Vec3(WideVec3(sample.position) + origin_);
         pixel.depth = sample.covered ? depth : 0;
         pixel.instance = sample.instance + 1; // PathSample::none becomes 0
+    } else if (std::has_single_bit(pixel.count - 1)) {
+        for (int c = 0; c < 3; ++c)
+            pixel.first_radiance[c] = static_cast<float>(pixel.mean[c] * (pixel.count - 1));
+        pixel.first_albedo = pixel.albedo;
+        pixel.first_normal = pixel.normal;
     }
     const double before = pixel_luminance(pixel.mean);
     for (int c = 0; c < 3; ++c) {
@@ -71,6 +77,27 @@ double Film::relative_error(int x0, int y0, int x1, int y1) const {
             sum += variance / (scale * scale);
         }
     return std::sqrt(sum / (double(x1 - x0) * double(y1 - y0)));
+}
+
+Film::Halves Film::halves(int x, int y) const {
+    const Pixel& pixel = at(x, y);
+    const auto means = [](std::uint32_t samples, const Color& radiance, const Color& albedo,
+                          const Vec3& normal) {
+        const float share = samples > 0 ? 1 / static_cast<float>(samples) : 0;
+        return Means{samples, radiance * share, albedo * share, normal * share};
+    };
+    Color radiance;
+    for (int c = 0; c < 3; ++c)
+        radiance[c] = static_cast<float>(pixel.mean[c] * pixel.count);
+    const std::uint32_t first = pixel.count > 1 ? std::bit_floor(pixel.count - 1) : 0;
+    Halves halves{means(pixel.count, radiance, pixel.albedo, pixel.normal),
+                  means(first, pixel.first_radiance, pixel.first_albedo, pixel.first_normal),
+                  means(pixel.count - first, radiance - pixel.first_radiance,
+                        pixel.albedo - pixel.first_albedo, pixel.normal - pixel.first_normal)};
+    const double n = pixel.count;
+    for (int c = 0; c < 3 && n > 1; ++c)
+        halves.variance[c] = static_cast<float>(pixel.square[c] / (n * (n - 1)));
+    return halves;
 }
 
 template <class Value>

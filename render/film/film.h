@@ -34,6 +34,21 @@ class Film {
     /// of luminance over (luminance + 0.18), mid-grey, so that dark pixels count as they are seen.
     double relative_error(int x0, int y0, int x1, int y1) const;
 
+    /// Means over some of a pixel's samples; zeros without any.
+    struct Means {
+        std::uint32_t samples = 0;
+        Color radiance{0.0F, 0.0F, 0.0F};
+        Color albedo{0.0F, 0.0F, 0.0F};
+        Vec3 normal{0.0F, 0.0F, 0.0F};
+    };
+    /// A pixel's samples, and the two halves that they are divided into: as many as the largest
+    /// power of two below their number, and those after. Both halves are well stratified.
+    struct Halves {
+        Means all, first, rest;
+        Color variance{0.0F, 0.0F, 0.0F}; // of the mean radiance, were the samples independent
+    };
+    Halves halves(int x, int y) const;
+
     Image beauty() const; // R, G, B, A; black where there is no sample
 
     /// The beauty first, then albedo and N (means over the samples), Z, P and instance (of the
@@ -51,6 +66,11 @@ class Film {
         Vec3 position{0.0F, 0.0F, 0.0F};
         float depth = 0;
         float covered = 0;
+        // Sums over the first samples, as many as the largest power of two below the count: that
+        // many and the rest are both evenly spread.
+        Color first_radiance{0.0F, 0.0F, 0.0F};
+        Color first_albedo{0.0F, 0.0F, 0.0F};
+        Vec3 first_normal{0.0F, 0.0F, 0.0F};
         std::uint32_t instance = 0;
         std::uint32_t count = 0;
     };

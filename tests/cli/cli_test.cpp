@@ -153,6 +153,34 @@ TEST_F(Cli, SameSeedSameBytesOnOneAndTwoThreads) {
     EXPECT_EQ(run("diff a.exr c.exr").code, 1);
 }
 
+TEST_F(Cli, DenoisedIsAFurtherPartAndWhatThePngShows) {
+    ASSERT_EQ(run("render small.lua -o raw.exr").code, 0);
+    const Outcome outcome =
+        run("render small.lua -o a.exr --denoise --crop 5,3,40,20 --stats s.json --aov variance");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE((outcome.out + outcome.err).find("denoised in "), std::string::npos);
+    const auto stats = nlohmann::json::parse(read_file(path("s.json")));
+    ASSERT_EQ(stats["stages"].size(), 6U);
+    EXPECT_EQ(stats["stages"][4]["name"], "denoise");
+
+    ASSERT_EQ(run("render small.lua -o whole.exr --denoise").code, 0);
+    const ExrFile raw = read_exr(path("raw.exr"));
+    const ExrFile whole = read_exr(path("whole.exr"));
+    ASSERT_EQ(whole.parts.size(), 2U);
+    EXPECT_EQ(whole.parts[0].name, "beauty");
+    EXPECT_EQ(whole.parts[0].image.pixels, raw.parts[0].image.pixels);
+    EXPECT_EQ(whole.parts[1].name, "denoised");
+    const Image& denoised = whole.parts[1].image;
+    EXPECT_EQ(denoised.channels, raw.parts[0].image.channels);
+    EXPECT_NE(denoised.pixels, raw.parts[0].image.pixels);
+    EXPECT_NE(read_file(path("whole.png")), read_file(path("raw.png")));
+
+    const ExrFile cropped = read_exr(path("a.exr"));
+    ASSERT_EQ(cropped.parts.size(), 3U);
+    EXPECT_EQ(cropped.parts[1].name, "denoised");
+    EXPECT_EQ(cropped.parts[2].name, "variance");
+}
+
 TEST_F(Cli, BakedFileHoldsTheBindingKeys) {
     ASSERT_EQ(run("bake small.lua -o a.json").code, 0);
     const auto root = nlohmann::json::parse(read_file(path("a.json")));

@@ -241,7 +241,7 @@ const std::vector<Door>& doors() {
           "procedurals/solid/lattice/levels_vector.cpp",
           "procedurals/solid/lattice/path_vector.cpp", "procedurals/solid/lattice/quads_vector.cpp",
           "procedurals/solid/marble/marble_vector.cpp",
-          "procedurals/solid/marble/stripes_vector.cpp"}},
+          "procedurals/solid/marble/stripes_vector.cpp", "render/film/denoise_vector.cpp"}},
         {"Random123", "^Random123/", {"core/random.h", "tests/unit/core_test.cpp"}},
     };
     return table;
