@@ -240,7 +240,9 @@ void add_render_command(CLI::App& app, Run& run) {
         ->check(CLI::Range(1, 1 << 24));
     command->add_option("--time", options->time_limit, "Stop after this many seconds")
         ->check(CLI::PositiveNumber);
-    command->add_option("--noise", options->noise, "Stop where the relative error is below this")
+    command
+        ->add_option("--noise", options->noise,
+                     "Stop where the relative error of luminance is below this; 0.02 is 2%")
         ->check(CLI::PositiveNumber);
     command->add_option("--size", options->size, "Size of the picture, as in 1280x720")
         ->type_name("WxH");

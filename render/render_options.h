@@ -26,7 +26,7 @@ struct Shard {
 struct RenderOptions {
     int samples = 0;          // per pixel; 0: as the film says
     double time_limit = 0;    // [s]; 0: none; at least one sample per pixel is taken
-    double noise = 0;         // stop tiles below this Film::relative_error; 0: never
+    double noise = 0;         // stop tiles below this ErrorEstimate; 0: never
     std::uint64_t seed = 0;   // same seed, same picture, on any number of threads
     std::optional<Crop> crop; // its pixels are those of the full picture
     Shard shard;              // pixels of the others stay without samples
@@ -42,7 +42,7 @@ struct RenderStats {
     std::uint64_t invalid_samples = 0; // not finite or negative; dropped
     std::uint64_t samples = 0;         // of all pixels, also of the runs that this one resumed
     double samples_per_pixel = 0;      // mean over the pixels of the shard
-    double error = 0; // estimate of the picture's relative error; see Film::relative_error
+    double error = 0; // estimate of the picture's relative error; see ErrorEstimate
 
     double mrays_per_s() const {
         return seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0;

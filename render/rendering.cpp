@@ -2,6 +2,7 @@
 #include "render/rendering.h"
 
 #include "core/error.h"
+#include "render/film/error_estimate.h"
 
 #include <fmt/format.h>
 
@@ -100,6 +101,23 @@ bool Rendering::is_finished(const Tile& tile) const {
                                      double(tile.error) < options_.noise);
 }
 
+// What a tile's halves differ by is uncertain. Stopped as soon as they happen to agree, it would
+// have more noise than it says: so the noise is taken from all samples, and only what their even
+// distribution gains from the halves, as the mean over all passes.
+void Rendering::estimate_error(Tile& tile) const {
+    ErrorEstimate estimate;
+    estimate.add(film_, tile.x0, tile.y0, tile.x1, tile.y1);
+    const double independent = estimate.independent();
+    if (tile.done >= min_samples_noise && independent > 0) {
+        const double gain = estimate.value() / independent;
+        tile.gain_sum += static_cast<float>(gain * gain);
+        ++tile.passes;
+    }
+    tile.error = static_cast<float>(
+        tile.passes > 0 ? independent * std::sqrt(double(tile.gain_sum) / tile.passes)
+                        : independent);
+}
+
 // With a limit of noise, no more than it is likely to take: the error falls with the root of the
 // number of samples.
 int Rendering::next_samples(const Tile& tile) const {
@@ -145,7 +163,7 @@ void Rendering::render_tile(Tile& tile, Clock::time_point deadline) {
         return;
     tile.row = 0;
     tile.done = tile.end;
-    tile.error = static_cast<float>(film_.relative_error(tile.x0, tile.y0, tile.x1, tile.y1));
+    estimate_error(tile);
     tile.finished = is_finished(tile);
 }
 
@@ -199,12 +217,10 @@ std::uint64_t Rendering::samples_of_tiles() const {
 
 // Each tile by itself, so that it does not depend on how the picture is divided into shards.
 double Rendering::error() const {
-    double sum = 0;
-    for (const Tile& tile : tiles_) {
-        const double error = film_.relative_error(tile.x0, tile.y0, tile.x1, tile.y1);
-        sum += error * error * area(tile);
-    }
-    return pixels_ > 0 ? std::sqrt(sum / double(pixels_)) : 0;
+    ErrorEstimate error;
+    for (const Tile& tile : tiles_)
+        error.add(film_, tile.x0, tile.y0, tile.x1, tile.y1);
+    return error.value();
 }
 
 RenderStats Rendering::stats() const {

@@ -35,7 +35,7 @@ class Rendering {
     int samples() const; // of every pixel, but for those that are finished with fewer
     const Film& film() const { return film_; }
     Film take_film() { return std::move(film_); } // ends it: `stats` before
-    double seconds() const { return seconds_; } // that it has rendered
+    double seconds() const { return seconds_; }   // that it has rendered
     RenderStats stats() const;
 
     /// Writes the state, from which `restore` goes on.
@@ -55,6 +55,7 @@ class Rendering {
     void pass_until(Clock::time_point deadline);
     void render_tile(Tile& tile, Clock::time_point deadline);
     bool is_finished(const Tile& tile) const;
+    void estimate_error(Tile& tile) const;
     int next_samples(const Tile& tile) const;
     std::uint64_t samples_of_tiles() const;
     double error() const;

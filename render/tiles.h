@@ -9,11 +9,14 @@ namespace scree {
 
 /// A square of pixels, rendered by one thread at a time.
 struct Tile {
-    int x0, y0, x1, y1;    // [pixels] of the film
-    int done = 0;          // samples that each of its pixels has
-    int row = 0;           // that many rows, from the top, already have `end`: it was interrupted
-    int end = 0;           // samples
-    float error = 0;       // relative, when it last had as many samples everywhere
+    int x0, y0, x1, y1; // [pixels] of the film
+    int done = 0;       // samples that each of its pixels has
+    int row = 0;        // that many rows, from the top, already have `end`: it was interrupted
+    int end = 0;        // samples
+    // When it last had as many samples everywhere:
+    float error = 0;       // relative
+    float gain_sum = 0;    // of squared errors over those of independent samples, after each pass
+    int passes = 0;        // of that sum
     bool finished = false; // has all samples that were asked for, or little enough noise
 };
 

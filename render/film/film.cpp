@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/film/film.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 
 namespace scree {
 
 namespace {
-
-constexpr double mid_grey = 0.18;
 
 double pixel_luminance(const double* rgb) { // ITU-R BT.709
     return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
@@ -32,51 +29,50 @@ bool Film::add(int x, int y, const PathSample& sample, float depth) {
         pixel.depth = sample.covered ? depth : 0;
         pixel.instance = sample.instance + 1; // PathSample::none becomes 0
     } else if (std::has_single_bit(pixel.count - 1)) {
+        pixel.quarter_luminance = luminance(pixel.first_radiance);
         for (int c = 0; c < 3; ++c)
             pixel.first_radiance[c] = static_cast<float>(pixel.mean[c] * (pixel.count - 1));
         pixel.first_albedo = pixel.albedo;
         pixel.first_normal = pixel.normal;
     }
-    const double before = pixel_luminance(pixel.mean);
     for (int c = 0; c < 3; ++c) {
         const double delta = double(sample.radiance[c]) - pixel.mean[c];
         pixel.mean[c] += delta / pixel.count;
         pixel.square[c] += delta * (double(sample.radiance[c]) - pixel.mean[c]);
     }
-    const double value = double(luminance(sample.radiance));
-    pixel.luminance_square += (value - before) * (value - pixel_luminance(pixel.mean));
     pixel.albedo += sample.albedo;
     pixel.normal += sample.normal;
     pixel.covered += sample.covered ? 1.0F : 0.0F;
     return true;
 }
 
-double Film::relative_error(int x0, int y0, int x1, int y1) const {
-    // A pixel's own luminance is high where its error is: the rare bright samples make both. So that
-    // they do not hide, its luminance is taken to be that of its neighbours.
-    const auto luminance_about = [&](int x, int y) {
-        double sum = 0;
-        int count = 0;
-        for (int v = std::max(y - 1, y0); v < std::min(y + 2, y1); ++v)
-            for (int u = std::max(x - 1, x0); u < std::min(x + 2, x1); ++u)
-                if (u != x || v != y) {
-                    sum += pixel_luminance(at(u, v).mean);
-                    ++count;
-                }
-        return count > 0 ? sum / count : pixel_luminance(at(x, y).mean);
-    };
-    double sum = 0;
-    for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) {
-            const Pixel& pixel = at(x, y);
-            if (pixel.count < 2)
-                return INFINITY;
-            const double variance =
-                pixel.luminance_square / (double(pixel.count) * (double(pixel.count) - 1));
-            const double scale = luminance_about(x, y) + mid_grey;
-            sum += variance / (scale * scale);
-        }
-    return std::sqrt(sum / (double(x1 - x0) * double(y1 - y0)));
+double Film::luminance_at(int x, int y) const { return pixel_luminance(at(x, y).mean); }
+
+double Film::luminance_variance(int x, int y) const {
+    const Pixel& pixel = at(x, y);
+    const double n = pixel.count;
+    const double deviations[3] = {std::sqrt(pixel.square[0]), std::sqrt(pixel.square[1]),
+                                  std::sqrt(pixel.square[2])};
+    const double deviation = pixel_luminance(deviations);
+    return n > 1 ? deviation * deviation / (n * (n - 1)) : 0;
+}
+
+Film::Differences Film::differences(int x, int y) const {
+    const Pixel& pixel = at(x, y);
+    if (pixel.count < 2)
+        return {};
+    const double n = pixel.count;
+    const double first = std::bit_floor(pixel.count - 1);
+    const double sum_of_first = double(luminance(pixel.first_radiance));
+    const double apart =
+        sum_of_first / first - (luminance_at(x, y) * n - sum_of_first) / (n - first);
+    Differences out;
+    out.halves = apart * apart * first * (n - first) / (n * n);
+    if (first >= 2) {
+        const double between = (2 * double(pixel.quarter_luminance) - sum_of_first) * 2 / first;
+        out.quarters = between * between / 4;
+    }
+    return out;
 }
 
 Film::Halves Film::halves(int x, int y) const {

@@ -30,9 +30,19 @@ class Film {
 
     std::uint32_t samples(int x, int y) const { return at(x, y).count; }
 
-    /// Estimated error of a rectangle of pixels: root mean square over them of the standard error
-    /// of luminance over (luminance + 0.18), mid-grey, so that dark pixels count as they are seen.
-    double relative_error(int x0, int y0, int x1, int y1) const;
+    double luminance_at(int x, int y) const; // mean
+
+    /// The variance of the mean, were the samples independent and of one hue.
+    double luminance_variance(int x, int y) const;
+
+    /// The squared difference of the mean luminance of a pixel's two halves (see Halves), times
+    /// what makes it the variance of the whole mean if the halves are independent: 1/4 for halves
+    /// of the same size. The same for the halves of the first half; 0 if it has one sample.
+    struct Differences {
+        double halves = 0;
+        double quarters = 0;
+    };
+    Differences differences(int x, int y) const;
 
     /// Means over some of a pixel's samples; zeros without any.
     struct Means {
@@ -59,8 +69,7 @@ class Film {
   private:
     struct Pixel {
         double mean[3] = {};
-        double square[3] = {}; // sum of squared deviations
-        double luminance_square = 0;
+        double square[3] = {};          // sum of squared deviations
         Color albedo{0.0F, 0.0F, 0.0F}; // sums
         Vec3 normal{0.0F, 0.0F, 0.0F};
         Vec3 position{0.0F, 0.0F, 0.0F};
@@ -71,6 +80,7 @@ class Film {
         Color first_radiance{0.0F, 0.0F, 0.0F};
         Color first_albedo{0.0F, 0.0F, 0.0F};
         Vec3 first_normal{0.0F, 0.0F, 0.0F};
+        float quarter_luminance = 0; // the sum over the first half of these
         std::uint32_t instance = 0;
         std::uint32_t count = 0;
     };
