@@ -185,6 +185,9 @@ void smooth(const Planes& layer, const Planes& trust, Planes& smooth, int x, int
 /// features whose origin is the pixel, so that the value there is the constant.
 class Fit {
   public:
+    static constexpr float steepness = 2;
+    static constexpr float least_slope = 1e-6F;
+    static constexpr float least_spread = 1e-4F; // squared: features that vary less explain nothing
     static constexpr std::size_t features = 6;
     static constexpr std::size_t unknowns = features + 1; // the constant is the last
 
@@ -209,11 +212,18 @@ class Fit {
             increase(right_[3 * features + c], weight, light[c]);
     }
 
-    /// Eliminates the features, whose coefficients are kept small by `ridge` (Hoerl & Kennard
-    /// 1970), and answers the constants.
-    HWY_INLINE std::array<V, 3> solve(float ridge) {
+    /// Answers the constants, after eliminating the features. Their coefficients are kept small
+    /// (ridge regression, Hoerl & Kennard 1970) as far as light of this variance leaves them open,
+    /// when they are expected to be about `steepness` times the mean light.
+    HWY_INLINE std::array<V, 3> solve(V variance) {
         const Reals d;
-        const V penalty = hn::Mul(load(matrix_[cell(features, features)]), hn::Set(d, ridge));
+        const V weight = load(matrix_[cell(features, features)]);
+        const V sum = hn::Add(hn::Add(load(right_[3 * features]), load(right_[3 * features + 1])),
+                              load(right_[3 * features + 2]));
+        const V slope =
+            hn::MulAdd(hn::Div(sum, weight), hn::Set(d, steepness / 3), hn::Set(d, least_slope));
+        const V penalty =
+            hn::MulAdd(weight, hn::Set(d, least_spread), hn::Div(variance, hn::Mul(slope, slope)));
         for (std::size_t k = 0; k < features; ++k) {
             const V pivot = hn::Div(hn::Set(d, 1.0F), hn::Add(load(matrix_[cell(k, k)]), penalty));
             for (std::size_t i = k + 1; i < unknowns; ++i) {
@@ -250,7 +260,6 @@ class Fit {
 constexpr int fit_radius = 7;
 constexpr Measure light_measure{0.36F, 1e-8F};
 constexpr Measure feature_measure{0.36F, 0.036F};
-constexpr float fit_ridge = 0.01F;
 constexpr float least_own_weight = 0.1F;
 
 /// A pixel is like itself by its own noise: it counts as its most alike neighbour does (Buades,
@@ -304,7 +313,7 @@ void fit(const DenoiseLayers& layers, Planes& fitted, int x, int y) {
                          hn::LoadU(d, light.channel[1] + there),
                          hn::LoadU(d, light.channel[2] + there)});
             }
-            const std::array<V, 3> result = fit.solve(fit_ridge);
+            const std::array<V, 3> result = fit.solve(hn::LoadU(d, light.variance + i));
             for (std::size_t c = 0; c < 3; ++c)
                 hn::StoreU(hn::Max(hn::Zero(d), result[c]), d, fitted.at(int(c), x, y + row) + i);
         }
