@@ -7,6 +7,7 @@
 #include <hwy/aligned_allocator.h>
 
 #include <array>
+#include <cfloat>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/film/denoise_vector.cpp"
@@ -181,16 +182,27 @@ void smooth(const Planes& layer, const Planes& trust, Planes& smooth, int x, int
         }
 }
 
+constexpr float least_own_weight = 0.1F;
+constexpr float least_weight = 0.01F; // of pixels that a fit must stay among
+
 /// Weighted least squares for vectors of pixels: three channels of light as linear functions of six
 /// features whose origin is the pixel, so that the value there is the constant.
 class Fit {
   public:
+    static constexpr float steepness = 2;
+    static constexpr float least_slope = 1e-6F;
+    static constexpr float least_spread = 1e-4F; // squared: features that vary less explain nothing
     static constexpr std::size_t features = 6;
     static constexpr std::size_t unknowns = features + 1; // the constant is the last
 
     void clear() {
+        const Reals d;
         matrix_.fill({});
         right_.fill({});
+        for (std::size_t c = 0; c < 3; ++c) {
+            hn::Store(hn::Set(d, FLT_MAX), d, lowest_[c].values.data());
+            hn::Store(hn::Zero(d), d, highest_[c].values.data());
+        }
     }
 
     HWY_INLINE void add(V weight, const std::array<V, features>& at,
@@ -207,13 +219,30 @@ class Fit {
         increase(matrix_[cell(features, features)], weight, hn::Set(d, 1.0F));
         for (std::size_t c = 0; c < 3; ++c)
             increase(right_[3 * features + c], weight, light[c]);
+        const auto alike = hn::Ge(weight, hn::Set(d, least_weight));
+        for (std::size_t c = 0; c < 3; ++c) {
+            const V low = load(lowest_[c]);
+            const V high = load(highest_[c]);
+            hn::Store(hn::IfThenElse(alike, hn::Min(low, light[c]), low), d,
+                      lowest_[c].values.data());
+            hn::Store(hn::IfThenElse(alike, hn::Max(high, light[c]), high), d,
+                      highest_[c].values.data());
+        }
     }
 
-    /// Eliminates the features, whose coefficients are kept small by `ridge` (Hoerl & Kennard
-    /// 1970), and answers the constants.
-    HWY_INLINE std::array<V, 3> solve(float ridge) {
+    /// Answers the constants, after eliminating the features. Their coefficients are kept small
+    /// (ridge regression, Hoerl & Kennard 1970) as far as light of this variance leaves them open,
+    /// when they are expected to be about `steepness` times the mean light. What no pixel of some
+    /// weight has is no answer: few pixels may be fitted beyond all sense.
+    HWY_INLINE std::array<V, 3> solve(V variance) {
         const Reals d;
-        const V penalty = hn::Mul(load(matrix_[cell(features, features)]), hn::Set(d, ridge));
+        const V weight = load(matrix_[cell(features, features)]);
+        const V sum = hn::Add(hn::Add(load(right_[3 * features]), load(right_[3 * features + 1])),
+                              load(right_[3 * features + 2]));
+        const V slope =
+            hn::MulAdd(hn::Div(sum, weight), hn::Set(d, steepness / 3), hn::Set(d, least_slope));
+        const V penalty =
+            hn::MulAdd(weight, hn::Set(d, least_spread), hn::Div(variance, hn::Mul(slope, slope)));
         for (std::size_t k = 0; k < features; ++k) {
             const V pivot = hn::Div(hn::Set(d, 1.0F), hn::Add(load(matrix_[cell(k, k)]), penalty));
             for (std::size_t i = k + 1; i < unknowns; ++i) {
@@ -225,9 +254,11 @@ class Fit {
             }
         }
         const V total = load(matrix_[cell(features, features)]);
-        return {hn::Div(load(right_[3 * features]), total),
-                hn::Div(load(right_[3 * features + 1]), total),
-                hn::Div(load(right_[3 * features + 2]), total)};
+        std::array<V, 3> constants;
+        for (std::size_t c = 0; c < 3; ++c)
+            constants[c] = hn::Clamp(hn::Div(load(right_[3 * features + c]), total),
+                                     load(lowest_[c]), load(highest_[c]));
+        return constants;
     }
 
   private:
@@ -245,13 +276,13 @@ class Fit {
 
     std::array<Lanes, unknowns*(unknowns + 1) / 2> matrix_;
     std::array<Lanes, 3 * unknowns> right_;
+    std::array<Lanes, 3> lowest_; // light of the pixels of some weight
+    std::array<Lanes, 3> highest_;
 };
 
 constexpr int fit_radius = 7;
 constexpr Measure light_measure{0.36F, 1e-8F};
 constexpr Measure feature_measure{0.36F, 0.036F};
-constexpr float fit_ridge = 0.01F;
-constexpr float least_own_weight = 0.1F;
 
 /// A pixel is like itself by its own noise: it counts as its most alike neighbour does (Buades,
 /// Coll & Morel 2005), but where none is alike it must remain.
@@ -304,9 +335,9 @@ void fit(const DenoiseLayers& layers, Planes& fitted, int x, int y) {
                          hn::LoadU(d, light.channel[1] + there),
                          hn::LoadU(d, light.channel[2] + there)});
             }
-            const std::array<V, 3> result = fit.solve(fit_ridge);
+            const std::array<V, 3> result = fit.solve(hn::LoadU(d, light.variance + i));
             for (std::size_t c = 0; c < 3; ++c)
-                hn::StoreU(hn::Max(hn::Zero(d), result[c]), d, fitted.at(int(c), x, y + row) + i);
+                hn::StoreU(result[c], d, fitted.at(int(c), x, y + row) + i);
         }
     }
 }

@@ -32,7 +32,8 @@ bool Film::add(int x, int y, const PathSample& sample, float depth) {
         pixel.quarter_luminance = luminance(pixel.first_radiance);
         for (int c = 0; c < 3; ++c)
             pixel.first_radiance[c] = static_cast<float>(pixel.mean[c] * (pixel.count - 1));
-        pixel.first_albedo = pixel.albedo;
+        pixel.first_albedo =
+            pixel.albedo + Color(static_cast<float>(pixel.count - 1) - pixel.covered);
         pixel.first_normal = pixel.normal;
     }
     for (int c = 0; c < 3; ++c) {
@@ -85,11 +86,12 @@ Film::Halves Film::halves(int x, int y) const {
     Color radiance;
     for (int c = 0; c < 3; ++c)
         radiance[c] = static_cast<float>(pixel.mean[c] * pixel.count);
+    const Color albedo = pixel.albedo + Color(static_cast<float>(pixel.count) - pixel.covered);
     const std::uint32_t first = pixel.count > 1 ? std::bit_floor(pixel.count - 1) : 0;
-    Halves halves{means(pixel.count, radiance, pixel.albedo, pixel.normal),
+    Halves halves{means(pixel.count, radiance, albedo, pixel.normal),
                   means(first, pixel.first_radiance, pixel.first_albedo, pixel.first_normal),
                   means(pixel.count - first, radiance - pixel.first_radiance,
-                        pixel.albedo - pixel.first_albedo, pixel.normal - pixel.first_normal)};
+                        albedo - pixel.first_albedo, pixel.normal - pixel.first_normal)};
     const double n = pixel.count;
     for (int c = 0; c < 3 && n > 1; ++c)
         halves.variance[c] = static_cast<float>(pixel.square[c] / (n * (n - 1)));

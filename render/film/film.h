@@ -48,7 +48,7 @@ class Film {
     struct Means {
         std::uint32_t samples = 0;
         Color radiance{0.0F, 0.0F, 0.0F};
-        Color albedo{0.0F, 0.0F, 0.0F};
+        Color albedo{0.0F, 0.0F, 0.0F}; // of the first surface; 1 for the background
         Vec3 normal{0.0F, 0.0F, 0.0F};
     };
     /// A pixel's samples, and the two halves that they are divided into: as many as the largest
@@ -78,7 +78,7 @@ class Film {
         // Sums over the first samples, as many as the largest power of two below the count: that
         // many and the rest are both evenly spread.
         Color first_radiance{0.0F, 0.0F, 0.0F};
-        Color first_albedo{0.0F, 0.0F, 0.0F};
+        Color first_albedo{0.0F, 0.0F, 0.0F}; // as in Means
         Vec3 first_normal{0.0F, 0.0F, 0.0F};
         float quarter_luminance = 0; // the sum over the first half of these
         std::uint32_t instance = 0;

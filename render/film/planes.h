@@ -19,8 +19,8 @@ class Planes {
     static constexpr int tile_height = 16;
 
     Planes(int width, int height, int count)
-        : width_(width), height_(height), stride_(rounded(width, tile_width) + 2 * border),
-          rows_(rounded(height, tile_height) + 2 * border),
+        : width_(width), height_(height), stride_(rounded(width, tile_width) + borders),
+          rows_(rounded(height, tile_height) + borders),
           values_(std::size_t(count) * stride_ * rows_) {}
 
     int width() const { return width_; }
@@ -64,6 +64,8 @@ class Planes {
     }
 
   private:
+    static constexpr auto borders = 2 * std::size_t{border};
+
     static std::size_t rounded(int size, int step) {
         return std::size_t((size + step - 1) / step) * std::size_t(step);
     }

@@ -78,6 +78,7 @@ TEST(FilmHalves, AreTheFirstPowerOfTwoOfSamplesAndTheRest) {
             sample.radiance = Color(static_cast<float>(s));
             sample.albedo = Color(static_cast<float>(s) / 32);
             sample.normal = Vec3(0.0F, static_cast<float>(s), 0.0F);
+            sample.covered = true;
             film.add(0, 0, sample, 1);
         }
         const Film::Halves halves = film.halves(0, 0);
