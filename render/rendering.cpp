@@ -147,8 +147,8 @@ void Rendering::render_tile(Tile& tile, Clock::time_point deadline) {
     const FlushDenormals flush;
     if (tile.row == 0)
         tile.end = next_samples(tile);
-    const auto number = static_cast<std::size_t>(tile.x0 + tile.y0 + tile.done);
-    PixelRenderer::Batch batch(renderer_, film_, number);
+    const int number = tile.x0 + tile.y0 + tile.done;
+    PixelRenderer::Batch batch(renderer_, film_, static_cast<std::size_t>(number));
     int y = tile.y0 + tile.row;
     for (; y < tile.y1 && !must_stop(deadline); ++y)
         for (int x = tile.x0; x < tile.x1; ++x)

@@ -10,8 +10,8 @@ namespace scree {
 
 /// A direction in which light may arrive.
 struct LightSample {
-    Vec3 direction;     // unit, towards the light
-    float distance = 0; // [m]; infinite for sky and sun
+    Vec3 direction{0.0F, 0.0F, 0.0F}; // unit, towards the light
+    float distance = 0;               // [m]; infinite for sky and sun
     Color radiance{0.0F, 0.0F, 0.0F};
     float pdf = 0; // per solid angle, with the choice of the light; 0: no light
 };

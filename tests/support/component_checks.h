@@ -19,8 +19,8 @@ inline Mesh component_mesh(const std::string& name,
     return make(component_table(), name, values);
 }
 
-/// Checks what holds for every component: a valid closed mesh (but for the open ones) with unit normals
-/// and finite UVs, standing on the ground and centred on the y axis.
+/// Checks what holds for every component: a valid closed mesh (but for the open ones) with unit
+/// normals and finite UVs, standing on the ground and centred on the y axis.
 inline void expect_sound(const Mesh& mesh, const std::string& what) {
     SCOPED_TRACE(what);
     ASSERT_FALSE(mesh.triangles.empty());
