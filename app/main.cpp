@@ -68,8 +68,8 @@ void add_launcher_commands(CLI::App& app, Run& run) {
         CLI::App* command = app.add_subcommand(name, what);
         command->callback([&run, name = std::string(name)] {
             run = [name]() -> int {
-                throw Error::usage("`scree " + name + "` runs from a source checkout: ./scree " +
-                                   name);
+                throw Error::usage(
+                    fmt::format("`scree {0}` runs from a source checkout: ./scree {0}", name));
             };
         });
     }
