@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/file_option.h"
 #include "app/object_option.h"
+#include "app/picture_output.h"
 #include "app/scene_options.h"
 #include "core/file.h"
 #include "session/run_stats.h"
@@ -87,7 +88,7 @@ int write_map(const HeightOptions& options) {
     metadata.insert(metadata.end(), {{"scree:generator", aggregate.generator},
                                      {"scree:seed", std::to_string(aggregate.seed)}});
     write_height(options.output, map, metadata);
-    const std::string png = options.output.substr(0, options.output.size() - 3) + "png";
+    const std::string png = beside(options.output, "png");
     const std::vector<float>& values = heights.image.pixels;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     write_png(png, picture_of(heights.image, *low, *high));

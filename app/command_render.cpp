@@ -75,15 +75,14 @@ void check_aovs(const std::vector<std::string>& aovs) {
                 did_you_mean(name, aov_names));
 }
 
-Shard parse_shard(const std::string& text) {
-    Shard shard;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest) != 2 ||
-        shard.index < 1 || shard.index > shard.count || shard.count > 65536)
-        throw Error::usage("--shard " + text + ": expected I/N with I from 1 to N, up to 65536",
-                           "for example --shard 1/4");
-    --shard.index;
-    return shard;
+Shard shard_of(const RenderCommand& command) {
+    if (command.shard.empty())
+        return {};
+    if (const std::optional<Shard> shard = parse_shard(command.shard))
+        return *shard;
+    throw Error::usage("--shard " + command.shard +
+                           ": expected I/N with I from 1 to N, up to 65536",
+                       "for example --shard 1/4");
 }
 
 std::string output_of(const RenderCommand& command) {
@@ -91,10 +90,6 @@ std::string output_of(const RenderCommand& command) {
         return command.output;
     const std::string script = file_name(command.scene.path);
     return script.substr(0, script.rfind('.')) + ".exr";
-}
-
-std::string checkpoint_beside(const std::string& exr) {
-    return exr.substr(0, exr.size() - 3) + "checkpoint";
 }
 
 // The provenance of the picture, and the options that it was rendered with.
@@ -131,7 +126,7 @@ void write_pictures(const std::string& output, const RenderResult& result,
     write_exr(output, parts, metadata, {}, window);
     const Image& clean = parts[command.denoise ? 1 : 0].image;
     const Image shown = to_display(clean, command.view, film.exposure);
-    write_png(png_beside(output), shown);
+    write_png(beside(output, "png"), shown);
 }
 
 RenderOptions options_of(const RenderCommand& command, const Scene& scene) {
@@ -140,8 +135,7 @@ RenderOptions options_of(const RenderCommand& command, const Scene& scene) {
     options.time_limit = command.time_limit;
     options.noise = command.noise;
     options.seed = command.seed;
-    if (!command.shard.empty())
-        options.shard = parse_shard(command.shard);
+    options.shard = shard_of(command);
     if (!command.crop.empty())
         options.crop = parse_crop(command.crop, scene.film);
     return options;
@@ -150,12 +144,12 @@ RenderOptions options_of(const RenderCommand& command, const Scene& scene) {
 RenderCare care_of(const RenderCommand& command, const std::string& output,
                    const FilmSettings& film) {
     RenderCare care;
-    care.checkpoint = checkpoint_beside(output);
+    care.checkpoint = beside(output, "checkpoint");
     care.resume = command.resume;
     if (command.preview) {
         care.preview_every = preview_every;
         care.preview = [=, view = command.view, exposure = film.exposure](const Film& so_far) {
-            write_png(png_beside(output), to_display(so_far.beauty(), view, exposure));
+            write_png(beside(output, "png"), to_display(so_far.beauty(), view, exposure));
         };
     }
     return care;
@@ -166,11 +160,9 @@ int run_render(const RenderCommand& command) {
     const std::string output = output_of(command);
     check_picture_output(output);
     check_aovs(command.aovs);
-    if (!command.shard.empty()) {
-        parse_shard(command.shard);
-        if (command.denoise)
-            throw Error::usage("--denoise takes the whole picture, not one --shard of it");
-    }
+    shard_of(command); // throws for an invalid one
+    if (!command.shard.empty() && command.denoise)
+        throw Error::usage("--denoise takes the whole picture, not one --shard of it");
     if (!command.stats.empty())
         check_writable(command.stats);
     to_display(Image(1, 1, {"R", "G", "B"}), command.view); // throws for an unknown view or $OCIO
@@ -218,7 +210,7 @@ int run_render(const RenderCommand& command) {
                                 format_duration(stats.seconds)));
     if (stats.invalid_samples > 0)
         run.console.say(fmt::format("{} invalid samples were dropped", stats.invalid_samples));
-    run.console.say("wrote " + output + " and " + png_beside(output));
+    run.console.say("wrote " + output + " and " + beside(output, "png"));
     if (!command.stats.empty())
         write_file(command.stats,
                    run_stats_json(session.stages(), scene.aggregates, &rendered.figures));

@@ -12,6 +12,8 @@ void check_picture_output(const std::string& path) {
     check_writable(path);
 }
 
-std::string png_beside(const std::string& exr) { return exr.substr(0, exr.size() - 3) + "png"; }
+std::string beside(const std::string& exr, const std::string& ending) {
+    return exr.substr(0, exr.size() - 3) + ending;
+}
 
 } // namespace scree

@@ -13,7 +13,7 @@ namespace scree {
 /// Throws Error unless `path` ends in .exr (usage) and can be written (resource).
 void check_picture_output(const std::string& path);
 
-/// "toys.png" for "toys.exr".
-std::string png_beside(const std::string& exr);
+/// "toys.png" for "toys.exr" and "png".
+std::string beside(const std::string& exr, const std::string& ending);
 
 } // namespace scree

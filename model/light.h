@@ -5,6 +5,7 @@
 #include "core/image.h"
 #include "core/math.h"
 
+#include <array>
 #include <memory>
 #include <variant>
 
@@ -36,6 +37,10 @@ struct AreaLight {
     Color radiance{1.0F, 1.0F, 1.0F}; // [W/(m^2 sr)]
 
     Vec3 normal() const { return edge_u.cross(edge_v).normalized(); }
+    std::array<Vec3, 4> corners() const { // in turn; the first two lie along edge_u
+        const Vec3 first = Vec3(centre) - (edge_u + edge_v) * 0.5F;
+        return {first, first + edge_u, first + edge_u + edge_v, first + edge_v};
+    }
 };
 
 using Light = std::variant<Sky, Sun, AreaLight>;

@@ -163,7 +163,8 @@ void Rendering::render_tile(Tile& tile, Clock::time_point deadline) {
         return;
     tile.row = 0;
     tile.done = tile.end;
-    estimate_error(tile);
+    if (options_.noise > 0)
+        estimate_error(tile);
     tile.finished = is_finished(tile);
 }
 
@@ -285,8 +286,11 @@ void Rendering::restore(std::istream& in) {
     invalid_before_ = invalid;
     film_ = std::move(film);
     tiles_ = std::move(tiles);
-    for (Tile& tile : tiles_)
+    for (Tile& tile : tiles_) {
+        if (options_.noise > 0 && tile.passes == 0 && tile.row == 0)
+            estimate_error(tile); // the run before had no limit
         tile.finished = tile.row == 0 && is_finished(tile);
+    }
     progress_ = samples_of_tiles();
 }
 

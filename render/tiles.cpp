@@ -3,7 +3,10 @@
 
 #include "core/random.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <numeric>
 
 namespace scree {
@@ -27,7 +30,23 @@ std::vector<int> shards_of(std::size_t tiles, int count) {
     return shards;
 }
 
+constexpr int most_shards = 65536;
+
 } // namespace
+
+std::optional<Shard> parse_shard(const std::string& text) {
+    int number = 0;
+    int count = 0;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%d/%d%c", &number, &count, &rest) != 2 || number < 1 ||
+        number > count || count > most_shards)
+        return {};
+    return Shard{number - 1, count};
+}
+
+std::string shard_text(const Shard& shard) {
+    return fmt::format("{}/{}", shard.index + 1, shard.count);
+}
 
 std::vector<Tile> shard_tiles(int width, int height, const Shard& shard) {
     std::vector<Tile> tiles;

@@ -3,6 +3,8 @@
 
 #include "render/render_options.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace scree {
@@ -13,7 +15,7 @@ struct Tile {
     int done = 0;       // samples that each of its pixels has
     int row = 0;        // that many rows, from the top, already have `end`: it was interrupted
     int end = 0;        // samples
-    // When it last had as many samples everywhere:
+    // When it last had as many samples everywhere, of renders with a limit of noise:
     float error = 0;       // relative
     float gain_sum = 0;    // of squared errors over those of independent samples, after each pass
     int passes = 0;        // of that sum
@@ -24,5 +26,9 @@ struct Tile {
 /// others (or one more), spread evenly over the picture in a random order, so that all take about
 /// as long.
 std::vector<Tile> shard_tiles(int width, int height, const Shard& shard);
+
+/// A shard as users write it: "I/N", with I from 1 to N and N up to 65536. Nothing for other text.
+std::optional<Shard> parse_shard(const std::string& text);
+std::string shard_text(const Shard& shard);
 
 } // namespace scree

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/version.h"
+#include "render/tiles.h"
 
 #include <fmt/format.h>
 
@@ -33,11 +34,11 @@ Checkpoint::Checkpoint(std::string path, const Scene& scene, const RenderOptions
     : path_(std::move(path)) {
     const FilmSettings& film = scene.film;
     const Crop crop = options.crop.value_or(Crop{0, 0, film.width, film.height});
-    picture_ = fmt::format("program {}\nscene {} ({:016x})\nsize {}x{}\ncrop {},{},{},{}\n"
-                           "shard {}/{}\nseed {}\n",
-                           SCREE_VERSION, scene.name, scene.hash, film.width, film.height, crop.x,
-                           crop.y, crop.width, crop.height, options.shard.index + 1,
-                           options.shard.count, options.seed);
+    picture_ =
+        fmt::format("program {}\nscene {} ({:016x})\nsize {}x{}\ncrop {},{},{},{}\n"
+                    "shard {}\nseed {}\n",
+                    SCREE_VERSION, scene.name, scene.hash, film.width, film.height, crop.x, crop.y,
+                    crop.width, crop.height, shard_text(options.shard), options.seed);
 }
 
 bool Checkpoint::exists() const { return std::filesystem::exists(path_); }

@@ -52,11 +52,10 @@ ShardFile read_shard(const std::string& path) {
     const Metadata& metadata = shard.file.metadata;
     const std::string given = text_of(metadata, shard_key);
     ShardFacts& facts = shard.facts;
-    char rest = 0;
-    if (std::sscanf(given.c_str(), "%d/%d%c", &facts.shard.index, &facts.shard.count, &rest) != 2 ||
-        facts.shard.index < 1 || facts.shard.index > facts.shard.count)
+    const std::optional<Shard> parsed = parse_shard(given);
+    if (!parsed)
         throw wrong(shard, "is not a shard", "shards are made by scree render --shard I/N");
-    --facts.shard.index;
+    facts.shard = *parsed;
     const std::string samples = text_of(metadata, "scree:shard_samples");
     std::from_chars(samples.data(), samples.data() + samples.size(), facts.samples);
     facts.interrupted = text_of(metadata, "scree:shard_interrupted") == "yes";
@@ -118,7 +117,7 @@ void check_complete(const std::vector<std::string>& path_of) {
 } // namespace
 
 Metadata shard_metadata(const ShardFacts& facts) {
-    Metadata metadata{{shard_key, fmt::format("{}/{}", facts.shard.index + 1, facts.shard.count)},
+    Metadata metadata{{shard_key, shard_text(facts.shard)},
                       {"scree:shard_samples", std::to_string(facts.samples)},
                       {"scree:shard_exposure", fmt::format("{}", facts.exposure)},
                       {"scree:shard_view", facts.view}};
@@ -132,27 +131,31 @@ std::pair<std::string, std::string> samples_metadata(double samples_per_pixel) {
 }
 
 MergedShards merge_shards(std::span<const std::string> paths) {
-    const ShardFile first = read_shard(paths.front());
-    MergedShards merged{first.file, first.facts.view, first.facts.exposure};
+    ShardFile first = read_shard(paths.front());
     std::vector<std::string> path_of(static_cast<std::size_t>(first.facts.shard.count));
     std::uint64_t samples = 0;
-    for (const std::string& path : paths) {
-        const ShardFile shard = path == paths.front() && samples == 0 ? first : read_shard(path);
-        check_alike(first, shard);
+    const auto take = [&](const ShardFile& shard) {
         if (shard.facts.interrupted)
             throw wrong(shard, "was interrupted", "finish it with --resume");
         std::string& known = path_of[static_cast<std::size_t>(shard.facts.shard.index)];
         if (!known.empty())
             throw wrong(shard, fmt::format("is the same shard as {}", known));
-        known = path;
-        copy_tiles(shard, merged.picture);
+        known = shard.path;
         samples += shard.facts.samples;
+    };
+    take(first);
+    for (const std::string& path : paths.subspan(1)) {
+        const ShardFile shard = read_shard(path);
+        check_alike(first, shard);
+        take(shard);
+        copy_tiles(shard, first.file);
     }
     check_complete(path_of);
+    MergedShards merged{std::move(first.file), first.facts.view, first.facts.exposure};
     Metadata& metadata = merged.picture.metadata;
     std::erase_if(metadata,
                   [](const auto& entry) { return entry.first.starts_with(shard_prefix); });
-    const Image& image = first.file.parts.front().image;
+    const Image& image = merged.picture.parts.front().image;
     for (auto& [name, value] : metadata)
         if (name == samples_key)
             value = samples_metadata(double(samples) / (double(image.width) * image.height)).second;

@@ -9,13 +9,6 @@ AreaSampler::AreaSampler(const AreaLight& light)
     : light_(light), radiance_(light.radiance), normal_(light.normal()),
       area_(light.edge_u.cross(light.edge_v).length()) {}
 
-std::array<Vec3, 4> AreaSampler::corners() const {
-    const Vec3 centre(light_.centre);
-    const Vec3 u = light_.edge_u * 0.5F;
-    const Vec3 v = light_.edge_v * 0.5F;
-    return {centre - u - v, centre + u - v, centre + u + v, centre - u + v};
-}
-
 float AreaSampler::pdf(const Vec3& direction, float distance) const {
     const float cosine = -direction.dot(normal_);
     return cosine > 0 ? distance * distance / (cosine * area_) : 0;

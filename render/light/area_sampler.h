@@ -4,8 +4,6 @@
 #include "core/math.h"
 #include "model/light.h"
 
-#include <array>
-
 namespace scree {
 
 /// A direction in which light may arrive.
@@ -22,7 +20,7 @@ class AreaSampler {
     explicit AreaSampler(const AreaLight& light);
 
     const Vec3& normal() const { return normal_; }
-    std::array<Vec3, 4> corners() const;
+    std::array<Vec3, 4> corners() const { return light_.corners(); }
     /// Luminance times area.
     float power() const { return luminance(radiance_) * area_; }
 

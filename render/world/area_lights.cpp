@@ -9,10 +9,7 @@ namespace scree {
 void World::State::add_area_lights() {
     for (std::size_t i = 0; i < lights.size(); ++i)
         if (const auto* area = std::get_if<AreaLight>(&lights[i])) {
-            const Vec3 corner =
-                Vec3(area->centre) - (area->edge_u + area->edge_v) * 0.5F; // moved to the origin
-            for (const Vec3& p : {corner, corner + area->edge_u,
-                                  corner + area->edge_u + area->edge_v, corner + area->edge_v})
+            for (const Vec3& p : area->corners()) // moved to the origin
                 light_vertices.push_back(p);
             light_of_quad.push_back(static_cast<std::uint32_t>(i));
         }
