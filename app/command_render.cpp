@@ -4,6 +4,7 @@
 #include "app/picture_output.h"
 #include "app/scene_options.h"
 #include "render/film/denoise.h"
+#include "session/cryptomatte.h"
 #include "session/merge_shards.h"
 #include "session/render_scene.h"
 
@@ -21,7 +22,9 @@ namespace scree {
 
 namespace {
 
-const std::array<std::string, 6> aov_names{"albedo", "N", "Z", "P", "instance", "variance"};
+const std::array<std::string, 9> aov_names{
+    "albedo",         "N", "Z", "P", "instance", "variance", "crypto_object", "crypto_instance",
+    "crypto_material"};
 
 struct RenderCommand {
     SceneOptions scene;
@@ -30,7 +33,7 @@ struct RenderCommand {
     std::string size;
     std::string crop;
     std::vector<std::string> aovs;
-    std::string view;
+    PngLook look; // its exposure is the scene's
     std::string shard;
     int samples = 0;
     double time_limit = 0;
@@ -104,29 +107,47 @@ Metadata metadata_of(const Scene& scene, const RenderCommand& command) {
     return metadata;
 }
 
+// The beauty, the light groups, and what --aov asks for; cryptomattes add to the metadata.
+std::vector<ImagePart> parts_of(const Rendered& rendered, const Scene& scene,
+                                const RenderCommand& command, Metadata& metadata) {
+    const auto asked = [&](std::string_view name) {
+        return std::ranges::find(command.aovs, name) != command.aovs.end();
+    };
+    const Film& film = rendered.result.film;
+    std::vector<ImagePart> parts = film.parts();
+    std::erase_if(parts, [&](const ImagePart& part) {
+        return part.name != "beauty" && !part.name.starts_with("light_") && !asked(part.name);
+    });
+    for (const std::string_view layer : cryptomatte_layers)
+        if (asked(layer)) {
+            Cryptomatte matte = make_cryptomatte(layer, film, scene.aggregates, rendered.materials);
+            std::ranges::move(matte.parts, std::back_inserter(parts));
+            std::ranges::move(matte.metadata, std::back_inserter(metadata));
+        }
+    return parts;
+}
+
 // `denoised`: what the .png shows, and a further part of the .exr; else both have the beauty alone.
-void write_pictures(const std::string& output, const RenderResult& result,
-                    std::optional<Image> denoised, Metadata metadata, const FilmSettings& film,
-                    const RenderOptions& options, const RenderCommand& command) {
+void write_pictures(const std::string& output, const Rendered& rendered,
+                    std::optional<Image> denoised, const Scene& scene, const RenderOptions& options,
+                    const RenderCommand& command) {
+    const RenderResult& result = rendered.result;
+    const FilmSettings& film = scene.film;
+    const PngLook look{command.look.view, film.exposure, command.look.depth};
+    Metadata metadata = metadata_of(scene, command);
     metadata.push_back(samples_metadata(result.stats.samples_per_pixel));
     if (!command.shard.empty())
         std::ranges::copy(shard_metadata({options.shard, result.stats.samples, result.cancelled,
-                                          command.view, film.exposure}),
+                                          look.view, look.exposure, look.depth}),
                           std::back_inserter(metadata));
-    std::vector<ImagePart> parts = result.film.parts();
-    std::erase_if(parts, [&](const ImagePart& part) {
-        return part.name != "beauty" &&
-               std::find(command.aovs.begin(), command.aovs.end(), part.name) == command.aovs.end();
-    });
+    std::vector<ImagePart> parts = parts_of(rendered, scene, command, metadata);
     std::optional<PictureWindow> window;
     if (options.crop)
         window = {options.crop->x, options.crop->y, film.width, film.height};
     if (denoised)
         parts.insert(parts.begin() + 1, {"denoised", std::move(*denoised), true});
     write_exr(output, parts, metadata, {}, window);
-    const Image& clean = parts[command.denoise ? 1 : 0].image;
-    const Image shown = to_display(clean, command.view, film.exposure);
-    write_png(beside(output, "png"), shown);
+    write_look(beside(output, "png"), parts[command.denoise ? 1 : 0].image, look);
 }
 
 RenderOptions options_of(const RenderCommand& command, const Scene& scene) {
@@ -136,20 +157,26 @@ RenderOptions options_of(const RenderCommand& command, const Scene& scene) {
     options.noise = command.noise;
     options.seed = command.seed;
     options.shard = shard_of(command);
+    options.mattes = std::ranges::any_of(command.aovs, [](const std::string& name) {
+        return std::ranges::find(cryptomatte_layers, name) != cryptomatte_layers.end();
+    });
     if (!command.crop.empty())
         options.crop = parse_crop(command.crop, scene.film);
     return options;
 }
 
 RenderCare care_of(const RenderCommand& command, const std::string& output,
-                   const FilmSettings& film) {
+                   const FilmSettings& film, Console& console) {
     RenderCare care;
     care.checkpoint = beside(output, "checkpoint");
     care.resume = command.resume;
     if (command.preview) {
         care.preview_every = preview_every;
-        care.preview = [=, view = command.view, exposure = film.exposure](const Film& so_far) {
-            write_png(beside(output, "png"), to_display(so_far.beauty(), view, exposure));
+        const PngLook look{command.look.view, film.exposure, command.look.depth};
+        care.preview = [=, &console](const Film& so_far) {
+            const Image shown = to_display(so_far.beauty(), look.view, look.exposure);
+            write_png(beside(output, "png"), shown, {}, look.depth);
+            console.picture(shown);
         };
     }
     return care;
@@ -165,7 +192,8 @@ int run_render(const RenderCommand& command) {
         throw Error::usage("--denoise takes the whole picture, not one --shard of it");
     if (!command.stats.empty())
         check_writable(command.stats);
-    to_display(Image(1, 1, {"R", "G", "B"}), command.view); // throws for an unknown view or $OCIO
+    to_display(Image(1, 1, {"R", "G", "B"}),
+               command.look.view); // throws for an unknown view or $OCIO
 
     SceneRun run(command.scene);
     Session& session = run.session;
@@ -188,7 +216,7 @@ int run_render(const RenderCommand& command) {
     const RenderOptions options = options_of(command, draft.scene);
     const Scene scene = session.bake(std::move(draft));
     const Rendered rendered =
-        render_scene(session, scene, options, care_of(command, output, scene.film));
+        render_scene(session, scene, options, care_of(command, output, scene.film, run.console));
     std::optional<Image> denoised;
     if (command.denoise) {
         session.stages().begin("denoise");
@@ -198,8 +226,7 @@ int run_render(const RenderCommand& command) {
             fmt::format("denoised in {:.1f} s", session.stages().costs().back().wall_s));
     }
     session.stages().begin("write");
-    write_pictures(output, rendered.result, std::move(denoised), metadata_of(scene, command),
-                   scene.film, options, command);
+    write_pictures(output, rendered, std::move(denoised), scene, options, command);
     session.stages().end();
 
     const RenderStats& stats = rendered.result.stats;
@@ -257,11 +284,14 @@ void add_render_command(CLI::App& app, Run& run) {
         ->add_option("--shard", options->shard,
                      "Render one of N shares of the picture; see scree merge --help")
         ->type_name("I/N");
-    command->add_flag("--preview", options->preview, "Refresh the .png while rendering");
+    command->add_flag(
+        "--preview", options->preview,
+        "Refresh the .png while rendering, and show it in a terminal that has the colours");
     command->add_flag("--denoise", options->denoise,
                       "Add a part without noise to the .exr, and show it in the .png");
-    command->add_option("--view", options->view, "View for the .png; see `scree view --help`")
+    command->add_option("--view", options->look.view, "View for the .png; see `scree view --help`")
         ->type_name("NAME");
+    add_png_bits_option(*command, options->look.depth);
     add_stats_option(*command, options->stats);
     command->footer(
         "Ctrl-C keeps what is done. Every minute, and where a render ends unfinished, its\n"

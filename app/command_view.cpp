@@ -2,10 +2,10 @@
 #include "app/commands.h"
 #include "app/exr_part.h"
 #include "app/file_option.h"
+#include "app/picture_output.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
-#include "render/film/color.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,8 +20,7 @@ struct ViewOptions {
     std::string input;
     std::string output;
     std::string part; // empty: the first
-    std::string view;
-    double exposure = 0;
+    PngLook look;
 };
 
 int view(const ViewOptions& options) {
@@ -31,8 +30,7 @@ int view(const ViewOptions& options) {
     const ExrFile file = read_exr(options.input);
     const ImagePart& part =
         options.part.empty() ? file.parts.front() : named_part(file, options.input, options.part);
-    write_png(options.output,
-              to_display(part.image, options.view, static_cast<float>(options.exposure)));
+    write_look(options.output, part.image, options.look);
     if (options.part.empty() && file.parts.size() > 1)
         fmt::print(stderr, "shows the first part of {}; its parts are: {}\n", options.input,
                    part_names(file));
@@ -49,12 +47,14 @@ void add_view_command(CLI::App& app, Run& run) {
     add_file_option(*command, "-o,--output", options->output, "File to write: .png")->required();
     command->add_option("--part", options->part, "Part of a multi-part .exr (default: the first)")
         ->type_name("NAME");
-    command->add_option("--view", options->view, "View of the OpenColorIO configuration")
+    command->add_option("--view", options->look.view, "View of the OpenColorIO configuration")
         ->type_name("NAME");
-    command->add_option("--exposure", options->exposure, "Brighter by this many stops")
+    add_png_bits_option(*command, options->look.depth);
+    command->add_option("--exposure", options->look.exposure, "Brighter by this many stops")
         ->check(CLI::Range(-32.0, 32.0))
         ->type_name("STOPS");
-    command->footer("Views of the built-in configuration: filmic (the default), standard.\n"
+    command->footer("Views of the built-in configuration: filmic (the default), standard\n"
+                    "(sRGB) and raw (linear values as they are).\n"
                     "$OCIO names another configuration.\n"
                     "Example:\n  scree view toys.exr -o toys.png --view standard --exposure 0.5");
     command->callback([options, &run] { run = [options] { return view(*options); }; });

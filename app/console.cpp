@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console.h"
 
+#include "app/terminal_picture.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +10,9 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace scree {
@@ -32,6 +37,23 @@ void on_interrupt(int signal) {
     std::raise(signal);
 }
 
+bool shows_true_color() {
+    const char* colors = std::getenv("COLORTERM");
+    return colors != nullptr &&
+           (std::string_view(colors) == "truecolor" || std::string_view(colors) == "24bit");
+}
+
+struct TerminalSize {
+    int columns, rows;
+};
+
+TerminalSize terminal_size() {
+    winsize size{};
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0)
+        return {80, 24};
+    return {size.ws_col, size.ws_row};
+}
+
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -46,6 +68,7 @@ void Console::say(const std::string& line) {
     if (quiet_)
         return;
     clear();
+    picture_rows_ = 0;
     fmt::print(stderr, "{}\n", line);
 }
 
@@ -82,6 +105,20 @@ void Console::progress(const std::string& what, double fraction, const std::stri
                std::string(bar_width - full, '.'), 100 * fraction, detail, left);
     std::fflush(stderr);
     bar_shown_ = true;
+}
+
+void Console::picture(const Image& shown) {
+    if (quiet_ || !terminal_ || !shows_true_color())
+        return;
+    clear();
+    const auto [columns, rows] = terminal_size();
+    constexpr int widest = 96; // characters; larger ones scroll slowly
+    const TerminalPicture picture = terminal_picture(shown, std::min(columns, widest), rows - 2);
+    if (picture_rows_ > 0)
+        fmt::print(stderr, "\x1b[{}A", picture_rows_);
+    fmt::print(stderr, "{}", picture.text);
+    std::fflush(stderr);
+    picture_rows_ = picture.rows;
 }
 
 void Console::clear() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/image.h"
 #include "core/progress.h"
 #include "session/watcher.h"
 
@@ -20,6 +21,10 @@ class Console final : public Watcher {
     void say(const std::string& line) override;
     void progress(const std::string& what, double fraction, const std::string& detail) override;
 
+    /// Shows a picture (see terminal_picture) where the terminal says that it has 24-bit colours
+    /// ($COLORTERM), in place of the one before unless a line was said since.
+    void picture(const Image& shown);
+
     /// Removes the bar.
     void clear();
 
@@ -27,6 +32,7 @@ class Console final : public Watcher {
     bool quiet_;
     bool terminal_;
     bool bar_shown_ = false;
+    int picture_rows_ = 0; // of the picture above the cursor, if any
     std::string last_what_;
     double first_fraction_ = 0;
     std::chrono::steady_clock::time_point last_shown_;

@@ -3,7 +3,23 @@
 
 #include "core/error.h"
 
+#include <CLI/CLI.hpp>
+
 namespace scree {
+
+void add_png_bits_option(CLI::App& command, PngDepth& depth) {
+    command
+        .add_option_function<int>(
+            "--png-bits",
+            [&depth](int bits) { depth = bits == 16 ? PngDepth::sixteen : PngDepth::eight; },
+            "Bits of each channel of the .png: 8 (the default) or 16")
+        ->check(CLI::IsMember({8, 16}))
+        ->type_name("BITS");
+}
+
+void write_look(const std::string& png, const Image& image, const PngLook& look) {
+    write_png(png, to_display(image, look.view, look.exposure), {}, look.depth);
+}
 
 void check_picture_output(const std::string& path) {
     if (extension(path) != "exr")

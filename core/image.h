@@ -91,12 +91,17 @@ ExrFile read_exr(const std::string& path);
 void write_exr(const std::string& path, std::span<const ImagePart> parts, const Metadata& metadata,
                const HeaderNumbers& numbers = {}, const std::optional<PictureWindow>& window = {});
 
-/// An 8-bit PNG as bytes; `image` has 1, 3 or 4 channels already display-encoded in [0, 1].
-/// Dithered by at most half a step with a fixed pattern, to hide banding. Throws Error (resource)
-/// when encoding fails.
-std::string png_bytes(const Image& image, const Metadata& metadata = {});
+/// Bits of a channel of a PNG.
+enum class PngDepth { eight = 8, sixteen = 16 };
+
+/// A PNG as bytes; `image` has 1, 3 or 4 channels already display-encoded in [0, 1]. One of 8 bits
+/// is dithered by at most half a step with a fixed pattern, to hide banding. Throws Error
+/// (resource) when encoding fails.
+std::string png_bytes(const Image& image, const Metadata& metadata = {},
+                      PngDepth depth = PngDepth::eight);
 
 /// Writes such a PNG atomically. Throws Error (resource) on an unwritable path or a full disk.
-void write_png(const std::string& path, const Image& image, const Metadata& metadata = {});
+void write_png(const std::string& path, const Image& image, const Metadata& metadata = {},
+               PngDepth depth = PngDepth::eight);
 
 } // namespace scree

@@ -198,19 +198,29 @@ std::vector<float> numbers_of(const Imf::Attribute& attribute) {
     return {};
 }
 
-/// All channels of a part; R, G, B and A first, then the others in the file's (alphabetical) order.
+/// All channels of a part, without the part's name before theirs; R, G, B and A first, then the
+/// others in the file's (alphabetical) order.
 ImagePart read_part(const std::string& path, Imf::MultiPartInputFile& file, int index) {
     const Imf::Header& header = file.header(index);
+    ImagePart part;
+    part.name = header.hasName() ? header.name() : "";
+    const std::string prefix = part.name + ".";
     Names names = channel_names(header);
     auto sorted = names.begin();
-    for (const char* name : {"R", "G", "B", "A"})
-        if (const auto found = std::find(sorted, names.end(), name); found != names.end()) {
+    for (const char* name : {"R", "G", "B", "A"}) {
+        const auto found = std::find_if(sorted, names.end(), [&](const std::string& given) {
+            return given == name || given == prefix + name;
+        });
+        if (found != names.end()) {
             std::rotate(sorted, found, found + 1);
             ++sorted;
         }
-    ImagePart part;
-    part.name = header.hasName() ? header.name() : "";
-    part.image = read_channels(path, file, index, names, names);
+    }
+    Names channels = names;
+    for (std::string& channel : channels)
+        if (channel.starts_with(prefix))
+            channel.erase(0, prefix.size());
+    part.image = read_channels(path, file, index, names, std::move(channels));
     part.full_float = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
         return header.channels()[name.c_str()].type != Imf::HALF;
     });

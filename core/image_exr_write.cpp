@@ -88,14 +88,24 @@ Imath::Box2i data_window(const Image& image, const PictureWindow& window) {
     return {{window.x, window.y}, {window.x + image.width - 1, window.y + image.height - 1}};
 }
 
-Imf::Header header_of(const ImagePart& part, const PictureWindow& window, const Metadata& metadata,
-                      const HeaderNumbers& numbers) {
+// Of the first part R, G, B: what a program shows that knows nothing of parts. Of others albedo.R:
+// Blender and others go by the channels' names alone.
+std::vector<std::string> channels_in_file(const ImagePart& part, std::size_t index) {
+    std::vector<std::string> names = part.image.channels;
+    if (index > 0)
+        for (std::string& name : names)
+            name.insert(0, part.name + ".");
+    return names;
+}
+
+Imf::Header header_of(const ImagePart& part, std::size_t index, const PictureWindow& window,
+                      const Metadata& metadata, const HeaderNumbers& numbers) {
     Imf::Header header(Imath::Box2i({0, 0}, {window.whole_width - 1, window.whole_height - 1}),
                        data_window(part.image, window));
     header.setName(part.name);
     header.setType(Imf::SCANLINEIMAGE);
     header.compression() = Imf::ZIP_COMPRESSION;
-    for (const std::string& channel : part.image.channels)
+    for (const std::string& channel : channels_in_file(part, index))
         header.channels().insert(channel, Imf::Channel(part.full_float ? Imf::FLOAT : Imf::HALF));
     for (const auto& [name, value] : metadata)
         header.insert(name, Imf::StringAttribute(value));
@@ -104,7 +114,7 @@ Imf::Header header_of(const ImagePart& part, const PictureWindow& window, const 
     return header;
 }
 
-void write_part(Imf::MultiPartOutputFile& file, int index, const ImagePart& part,
+void write_part(Imf::MultiPartOutputFile& file, std::size_t index, const ImagePart& part,
                 const Imath::Box2i& window) {
     const Image& image = part.image;
     const std::size_t channels = image.channels.size();
@@ -116,15 +126,16 @@ void write_part(Imf::MultiPartOutputFile& file, int index, const ImagePart& part
         });
     }
     const std::size_t size = part.full_float ? sizeof(float) : sizeof(half);
+    const std::vector<std::string> names = channels_in_file(part, index);
     Imf::FrameBuffer frame;
     for (std::size_t c = 0; c < channels; ++c) {
         const void* first = part.full_float ? static_cast<const void*>(&image.pixels[c])
                                             : static_cast<const void*>(&halves[c]);
-        frame.insert(image.channels[c],
+        frame.insert(names[c],
                      Imf::Slice::Make(part.full_float ? Imf::FLOAT : Imf::HALF, first, window,
                                       size * channels, size * channels * std::size_t(image.width)));
     }
-    Imf::OutputPart output(file, index);
+    Imf::OutputPart output(file, static_cast<int>(index));
     output.setFrameBuffer(frame);
     output.writePixels(image.height);
 }
@@ -138,8 +149,8 @@ void write_exr(const std::string& path, std::span<const ImagePart> parts, const 
     const PictureWindow window = cropped.value_or(PictureWindow{0, 0, first.width, first.height});
     write_atomically(path, [&](const std::string& temporary) {
         std::vector<Imf::Header> headers;
-        for (const ImagePart& part : parts)
-            headers.push_back(header_of(part, window, metadata, numbers));
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            headers.push_back(header_of(parts[i], i, window, metadata, numbers));
         try {
             Imf::setGlobalThreadCount(thread_count());
             CheckedStream stream(temporary);
@@ -147,8 +158,7 @@ void write_exr(const std::string& path, std::span<const ImagePart> parts, const 
                 Imf::MultiPartOutputFile file(stream, headers.data(),
                                               static_cast<int>(headers.size()));
                 for (std::size_t i = 0; i < parts.size(); ++i)
-                    write_part(file, static_cast<int>(i), parts[i],
-                               data_window(parts[i].image, window));
+                    write_part(file, i, parts[i], data_window(parts[i].image, window));
             }
             stream.finish();
         } catch (const Error&) {

@@ -26,4 +26,23 @@ struct GivesLight {
 
 bool gives_light(const Light& light) { return std::visit(GivesLight{}, light); }
 
+LightGroups light_groups(std::span<const Light> lights) {
+    LightGroups groups;
+    const auto name_of = [](const Light& light) -> const std::string& {
+        return std::visit([](const auto& any) -> const std::string& { return any.group; }, light);
+    };
+    if (std::ranges::all_of(lights, [&](const Light& light) { return name_of(light).empty(); })) {
+        groups.of.assign(lights.size(), 0);
+        return groups;
+    }
+    for (const Light& light : lights) {
+        const std::string name = name_of(light).empty() ? "rest" : name_of(light);
+        const auto found = std::ranges::find(groups.names, name);
+        groups.of.push_back(static_cast<std::uint32_t>(found - groups.names.begin()));
+        if (found == groups.names.end())
+            groups.names.push_back(name);
+    }
+    return groups;
+}
+
 } // namespace scree

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace scree {
 
 namespace {
@@ -30,6 +32,29 @@ std::shared_ptr<const Image> sky_image(const Params& params) {
         if (value >= 1e30F)
             throw params.error("image", path + ": holds a radiance of 1e30 or more");
     return image;
+}
+
+ParamSpec group_spec() {
+    return {.name = "group",
+            .type = ParamType::text,
+            .doc = "Group of lights whose share of the picture is written to the .exr as a part of "
+                   "its own, light_GROUP; lights without one are group rest then.",
+            .optional = true};
+}
+
+// The name becomes part of a name in the .exr, where a dot separates layers from channels.
+std::string group_of(const Params& params) {
+    if (!params.has("group"))
+        return {};
+    const std::string& name = params.text("group");
+    const auto allowed = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '_' || c == '-';
+    };
+    constexpr std::size_t longest = 64;
+    if (name.empty() || name.size() > longest || !std::ranges::all_of(name, allowed))
+        throw params.error("group", "must be 1 to 64 letters, digits, _ and -");
+    return name;
 }
 
 Plugin<MakeLight> sky_plugin() {
@@ -63,7 +88,8 @@ Plugin<MakeLight> sky_plugin() {
           .fallback = 0.0,
           .min = -360.0,
           .max = 360.0},
-         strength_spec(1.0, "Factor on all radiances.", "")},
+         strength_spec(1.0, "Factor on all radiances.", ""),
+         group_spec()},
         [](const Params& params) -> Light {
             Sky sky;
             const auto color = [&](const char* name, const Color& otherwise) {
@@ -78,6 +104,7 @@ Plugin<MakeLight> sky_plugin() {
             sky.ground = color("ground", sky.horizon);
             sky.rotation = float_number(params, "rotation");
             sky.strength = float_number(params, "strength");
+            sky.group = group_of(params);
             if (params.has("image")) {
                 for (const char* name : {"zenith", "horizon", "ground"})
                     if (params.has(name))
@@ -103,10 +130,11 @@ Plugin<MakeLight> sun_plugin() {
               .min = 0.01,
               .max = 90.0},
              color_spec("color", "Colour of the light."),
-             strength_spec(3.0, "Irradiance on a surface that faces the sun.", "W/m^2")},
+             strength_spec(3.0, "Irradiance on a surface that faces the sun.", "W/m^2"),
+             group_spec()},
             [](const Params& params) -> Light {
                 Sun sun{params.vector3("direction"), float_number(params, "angle"),
-                        params.color("color"), float_number(params, "strength")};
+                        params.color("color"), float_number(params, "strength"), group_of(params)};
                 check_color(params, "color", sun.color, max_radiance);
                 if (!(is_finite(sun.direction) && sun.direction.length() > 0))
                     throw params.error("direction", "must not be zero");
@@ -134,7 +162,8 @@ Plugin<MakeLight> area_plugin() {
               .unit = "m",
               .fallback = Vec2(1.0, 1.0)},
              color_spec("color", "Colour of the light."),
-             strength_spec(10.0, "Radiance of its front.", "W/(m^2 sr)")},
+             strength_spec(10.0, "Radiance of its front.", "W/(m^2 sr)"),
+             group_spec()},
             [](const Params& params) -> Light {
                 AreaLight light;
                 light.centre = params.point3("position");
@@ -152,6 +181,7 @@ Plugin<MakeLight> area_plugin() {
                 light.edge_u = u * static_cast<float>(size.x);
                 light.edge_v = n.cross(u) * static_cast<float>(size.y);
                 light.radiance = params.color("color") * float_number(params, "strength");
+                light.group = group_of(params);
                 return light;
             }};
 }

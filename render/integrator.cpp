@@ -38,13 +38,17 @@ bool black(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 Integrator::Integrator(const World& world, int depth, float clamp, Mis mis)
     : world_(world), materials_(world.materials()), lights_(world.lights(), mis == Mis::both),
-      depth_(depth), clamp_(clamp), mis_(mis) {}
+      group_of_(light_groups(world.lights()).of), depth_(depth), clamp_(clamp), mis_(mis) {}
 
-void Integrator::add(Path& path, const Color& contribution, int edges) const {
+void Integrator::add(Path& path, const Color& contribution, int edges,
+                     std::uint32_t light_number) const {
     const Color light = path.throughput_ * contribution;
     const float value = largest(light);
     const bool too_bright = clamp_ > 0 && edges > 2 && value > clamp_;
-    path.sample_.radiance += too_bright ? light * (clamp_ / value) : light;
+    const Color added = too_bright ? light * (clamp_ / value) : light;
+    path.sample_.radiance += added;
+    if (path.groups_ != nullptr)
+        path.groups_[group_of_[light_number]] += added;
 }
 
 float Integrator::hit_weight(const Path& path, float light_pdf) const {
@@ -54,10 +58,11 @@ float Integrator::hit_weight(const Path& path, float light_pdf) const {
 }
 
 void Integrator::add_escaped(Path& path) const {
-    lights_.at_infinity(path.point_, path.ray_.direction, [&](const Color& radiance, float pdf) {
-        if (!black(radiance))
-            add(path, radiance * hit_weight(path, pdf), path.edges_);
-    });
+    lights_.at_infinity(path.point_, path.ray_.direction,
+                        [&](const Color& radiance, float pdf, std::uint32_t light) {
+                            if (!black(radiance))
+                                add(path, radiance * hit_weight(path, pdf), path.edges_, light);
+                        });
 }
 
 void Integrator::add_light(Path& path, const Hit& hit) const {
@@ -66,7 +71,7 @@ void Integrator::add_light(Path& path, const Hit& hit) const {
     const Color radiance =
         lights_.area(hit.light, path.point_, path.ray_.direction, hit.distance, pdf);
     if (!black(radiance))
-        add(path, radiance * hit_weight(path, pdf), path.edges_);
+        add(path, radiance * hit_weight(path, pdf), path.edges_, hit.light);
 }
 
 void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface,
@@ -84,7 +89,7 @@ void Integrator::add_direct(Path& path, const Hit& hit, const Surface& surface,
     if (world_.occluded(shadow, count.clock))
         return;
     const float weight = mis_ == Mis::both ? power_heuristic(light.pdf, bsdf.pdf) : 1.0F;
-    add(path, bsdf.value * light.radiance * (weight / light.pdf), path.edges_ + 1);
+    add(path, bsdf.value * light.radiance * (weight / light.pdf), path.edges_ + 1, light.light);
 }
 
 // Takes a path that has entered a translucent object to where it comes out.
@@ -126,6 +131,7 @@ bool Integrator::arrive(Path& path) const {
         path.sample_.position = hit.position;
         path.sample_.distance = hit.distance;
         path.sample_.instance = hit.instance;
+        path.sample_.material = hit.material;
         path.sample_.normal = hit.shading_normal;
     }
     if (hit.light != Hit::none) {

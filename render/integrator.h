@@ -26,9 +26,11 @@ struct RayCount {
 /// A path under way.
 class Path {
   public:
-    /// `spread`: how much the filter that the path stands for widens per metre.
-    Path(const CameraRay& ray, float spread, const Sampler& sampler)
-        : ray_{ray.origin, ray.direction}, point_(ray.origin), spread_(spread), sampler_(sampler) {}
+    /// `spread`: how much the filter that the path stands for widens per metre. `groups`, unless
+    /// null, gets the radiance of each group of lights added; it must outlive this.
+    Path(const CameraRay& ray, float spread, const Sampler& sampler, Color* groups = nullptr)
+        : ray_{ray.origin, ray.direction}, point_(ray.origin), spread_(spread), sampler_(sampler),
+          groups_(groups) {}
 
     /// Complete once the path has been traced.
     const PathSample& sample() const { return sample_; }
@@ -53,6 +55,7 @@ class Path {
     bool alive_ = true;
     int edges_ = 1; // of the path up to the ray's end
     Sampler sampler_;
+    Color* groups_;
 };
 
 /// Follows paths through a world. Thread-safe.
@@ -77,12 +80,13 @@ class Integrator {
     void add_light(Path& path, const Hit& hit) const;
     void add_direct(Path& path, const Hit& hit, const Surface& surface, std::uint32_t bounce,
                     float choice, RayCount& count) const;
-    void add(Path& path, const Color& contribution, int edges) const;
+    void add(Path& path, const Color& contribution, int edges, std::uint32_t light) const;
     float hit_weight(const Path& path, float light_pdf) const;
 
     const World& world_;
     MaterialSet materials_;
     LightSampler lights_;
+    std::vector<std::uint32_t> group_of_; // by light
     int depth_;
     float clamp_;
     Mis mis_;

@@ -3,6 +3,8 @@
 
 #include "render/world/ticks.h"
 
+#include <algorithm>
+
 namespace scree {
 
 namespace {
@@ -26,14 +28,14 @@ void PixelRenderer::set_share(float share) {
     spread_ = camera_.pixel_spread() * share;
 }
 
-Path PixelRenderer::path(int x, int y, int sample) const {
+Path PixelRenderer::path(int x, int y, int sample, Color* groups) const {
     const int px = x + crop_.x;
     const int py = y + crop_.y;
     const Sampler sampler(seed_, px, py, static_cast<std::uint32_t>(sample));
     const Vec2f offset = filter_.offset(sampler.pair(dimension::film));
     return {camera_.ray(static_cast<float>(px) + 0.5F + offset.x,
                         static_cast<float>(py) + 0.5F + offset.y, sampler.pair(dimension::lens)),
-            spread_, sampler};
+            spread_, sampler, groups};
 }
 
 Color PixelRenderer::radiance(int x, int y, int sample) const {
@@ -50,6 +52,7 @@ double PixelRenderer::embree_share() const {
 PixelRenderer::Batch::Batch(PixelRenderer& renderer, Film& film, std::size_t number)
     : renderer_(renderer), film_(film), number_(number) {
     paths_.reserve(batch_size);
+    groups_.resize(batch_size * film.light_groups());
     pixels_.reserve(batch_size);
 }
 
@@ -69,18 +72,21 @@ void PixelRenderer::Batch::begin() {
 void PixelRenderer::Batch::add(int x, int y, int sample) {
     if (paths_.empty())
         begin();
-    paths_.push_back(renderer_.path(x, y, sample));
+    Color* const groups =
+        groups_.empty() ? nullptr : &groups_[paths_.size() * film_.light_groups()];
+    paths_.push_back(renderer_.path(x, y, sample, groups));
     pixels_.push_back({x, y});
     if (paths_.size() == batch_size)
         flush();
 }
 
 void PixelRenderer::Batch::flush() {
+    std::fill(groups_.begin(), groups_.end(), Color(0.0F));
     renderer_.integrator_.trace(paths_, renderer_.share_, count_);
     for (std::size_t i = 0; i < paths_.size(); ++i) {
         const PathSample& sample = paths_[i].sample();
-        if (!film_.add(pixels_[i].x, pixels_[i].y, sample,
-                       renderer_.camera_.depth(sample.position)))
+        if (!film_.add(pixels_[i].x, pixels_[i].y, sample, renderer_.camera_.depth(sample.position),
+                       std::span(groups_).subspan(i * film_.light_groups(), film_.light_groups())))
             ++invalid_;
     }
     if (count_.clock != nullptr)

@@ -34,7 +34,7 @@ class PixelRenderer {
     double embree_share() const;
 
   private:
-    Path path(int x, int y, int sample) const;
+    Path path(int x, int y, int sample, Color* groups = nullptr) const;
 
     std::uint64_t seed_;
     Crop crop_;
@@ -74,6 +74,7 @@ class PixelRenderer::Batch {
     Film& film_;
     std::size_t number_;
     std::vector<Path> paths_;
+    std::vector<Color> groups_; // by path and light group
     std::vector<Pixel> pixels_;
     RayCount count_;
     std::uint64_t start_ = 0;

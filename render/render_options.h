@@ -30,6 +30,7 @@ struct RenderOptions {
     std::uint64_t seed = 0;   // same seed, same picture, on any number of threads
     std::optional<Crop> crop; // its pixels are those of the full picture
     Shard shard;              // pixels of the others stay without samples
+    bool mattes = false;      // keep which instances and materials are seen
     int threads = 0;          // 0: as many as allowed
     Mis mis = Mis::both;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/rendering.h"
 
+#include "core/binary_stream.h"
 #include "core/error.h"
 #include "render/film/error_estimate.h"
 
@@ -8,8 +9,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <istream>
-#include <ostream>
 
 #if defined(__SSE2__)
 #include <pmmintrin.h>
@@ -66,20 +65,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 int area(const Tile& tile) { return (tile.x1 - tile.x0) * (tile.y1 - tile.y0); }
 
-template <class T>
-void write_value(std::ostream& out, const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    out.write(reinterpret_cast<const char*>(&value), sizeof(T));
-}
-
-template <class T>
-T read_value(std::istream& in) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    T value{};
-    in.read(reinterpret_cast<char*>(&value), sizeof(T));
-    return value;
-}
-
 } // namespace
 
 Rendering::Rendering(const World& world, const Camera& camera, const FilmSettings& settings,
@@ -87,7 +72,8 @@ Rendering::Rendering(const World& world, const Camera& camera, const FilmSetting
     : options_(options), context_(context), crop_(checked_crop(settings, options.crop)),
       samples_(options.samples > 0 ? options.samples : settings.samples),
       share_(sample_width(samples_, options)), renderer_(world, camera, settings, options, crop_),
-      film_(crop_.width, crop_.height, world.origin()),
+      film_(crop_.width, crop_.height, world.origin(),
+            {light_groups(world.lights()).names, options.mattes}),
       tiles_(shard_tiles(crop_.width, crop_.height, options.shard)) {
     if (options.threads > 0)
         threads_.emplace(options.threads);
@@ -258,9 +244,7 @@ void Rendering::save(std::ostream& out) const {
         write_value(out, tile);
     for (const std::array<float, 3>& color : first_samples())
         write_value(out, color);
-    const std::span<const std::byte> pixels = film_.state();
-    out.write(reinterpret_cast<const char*>(pixels.data()),
-              static_cast<std::streamsize>(pixels.size()));
+    film_.save(out);
 }
 
 void Rendering::restore(std::istream& in) {
@@ -273,8 +257,7 @@ void Rendering::restore(std::istream& in) {
     for (std::array<float, 3>& color : before)
         color = read_value<std::array<float, 3>>(in);
     Film film = film_;
-    const std::span<std::byte> pixels = film.state();
-    in.read(reinterpret_cast<char*>(pixels.data()), static_cast<std::streamsize>(pixels.size()));
+    film.restore(in);
     if (!in || in.peek() != std::istream::traits_type::eof())
         throw Error("is not the state of a picture of this size");
     renderer_.set_share(share);

@@ -17,7 +17,7 @@ namespace scree {
 
 namespace {
 
-constexpr std::string_view title_line = "scree checkpoint 1";
+constexpr std::string_view title_line = "scree checkpoint 2";
 constexpr const char* anew = "to begin anew, delete it or render without --resume";
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -34,11 +34,11 @@ Checkpoint::Checkpoint(std::string path, const Scene& scene, const RenderOptions
     : path_(std::move(path)) {
     const FilmSettings& film = scene.film;
     const Crop crop = options.crop.value_or(Crop{0, 0, film.width, film.height});
-    picture_ =
-        fmt::format("program {}\nscene {} ({:016x})\nsize {}x{}\ncrop {},{},{},{}\n"
-                    "shard {}\nseed {}\n",
-                    SCREE_VERSION, scene.name, scene.hash, film.width, film.height, crop.x, crop.y,
-                    crop.width, crop.height, shard_text(options.shard), options.seed);
+    picture_ = fmt::format("program {}\nscene {} ({:016x})\nsize {}x{}\ncrop {},{},{},{}\n"
+                           "shard {}\nseed {}\nmattes {}\n",
+                           SCREE_VERSION, scene.name, scene.hash, film.width, film.height, crop.x,
+                           crop.y, crop.width, crop.height, shard_text(options.shard), options.seed,
+                           options.mattes ? "yes" : "no");
 }
 
 bool Checkpoint::exists() const { return std::filesystem::exists(path_); }

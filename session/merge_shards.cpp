@@ -61,6 +61,8 @@ ShardFile read_shard(const std::string& path) {
     facts.interrupted = text_of(metadata, "scree:shard_interrupted") == "yes";
     facts.view = text_of(metadata, "scree:shard_view");
     std::sscanf(text_of(metadata, "scree:shard_exposure").c_str(), "%f", &facts.exposure);
+    if (text_of(metadata, "scree:shard_png_bits") == "16")
+        facts.depth = PngDepth::sixteen;
     return shard;
 }
 
@@ -120,7 +122,8 @@ Metadata shard_metadata(const ShardFacts& facts) {
     Metadata metadata{{shard_key, shard_text(facts.shard)},
                       {"scree:shard_samples", std::to_string(facts.samples)},
                       {"scree:shard_exposure", fmt::format("{}", facts.exposure)},
-                      {"scree:shard_view", facts.view}};
+                      {"scree:shard_view", facts.view},
+                      {"scree:shard_png_bits", std::to_string(static_cast<int>(facts.depth))}};
     if (facts.interrupted)
         metadata.emplace_back("scree:shard_interrupted", "yes");
     return metadata;
@@ -151,7 +154,8 @@ MergedShards merge_shards(std::span<const std::string> paths) {
         copy_tiles(shard, first.file);
     }
     check_complete(path_of);
-    MergedShards merged{std::move(first.file), first.facts.view, first.facts.exposure};
+    MergedShards merged{std::move(first.file), first.facts.view, first.facts.exposure,
+                        first.facts.depth};
     Metadata& metadata = merged.picture.metadata;
     std::erase_if(metadata,
                   [](const auto& entry) { return entry.first.starts_with(shard_prefix); });

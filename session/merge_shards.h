@@ -16,6 +16,7 @@ struct ShardFacts {
     bool interrupted = false;
     std::string view{}; // of the .png
     float exposure = 0; // [stops]
+    PngDepth depth = PngDepth::eight;
 };
 
 /// The attributes of a shard's header.
@@ -29,6 +30,7 @@ struct MergedShards {
     ExrFile picture;
     std::string view;
     float exposure = 0;
+    PngDepth depth = PngDepth::eight;
 };
 
 /// Puts the pictures of all shards together. Throws Error (input) naming the file for one that is

@@ -130,7 +130,9 @@ Rendered render_scene(Session& session, const Scene& scene, const RenderOptions&
     session.stages().end();
     const RenderFigures figures{rendering.stats(), world.instance_count(), world.memory_bytes(),
                                 world.strand_figures()};
-    return {{rendering.take_film(), figures.stats, rendering.cancelled()}, figures};
+    return {{rendering.take_film(), figures.stats, rendering.cancelled()},
+            figures,
+            {world.materials().begin(), world.materials().end()}};
 }
 
 } // namespace scree

@@ -23,6 +23,7 @@ struct RenderCare {
 struct Rendered {
     RenderResult result;
     RenderFigures figures;
+    std::vector<std::shared_ptr<const Material>> materials; // by Seen::material
 };
 
 /// Builds the world of a scene (stage "build") and renders it (stage "render"). A checkpoint is

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/film/color.h"
 
-#include "core/display_encoding.h"
 #include "core/error.h"
 
 #include <OpenColorIO/OpenColorIO.h>
@@ -17,8 +16,17 @@ namespace scree {
 
 namespace {
 
+// (1 - 2a) on the diagonal and a elsewhere keeps greys; its inverse is of the same form.
+OCIO::TransformRcPtr mix_channels(double a) {
+    const double b = 1 - 2 * a;
+    const OCIO::MatrixTransformRcPtr matrix = OCIO::MatrixTransform::Create();
+    const double rows[16] = {b, a, a, 0, a, b, a, 0, a, a, b, 0, 0, 0, 0, 1};
+    matrix->setMatrix(rows);
+    return matrix;
+}
+
 // One entry for every 16-bit float, so that shadows and highlights are equally precise.
-OCIO::TransformRcPtr filmic_transform() {
+OCIO::TransformRcPtr filmic_lut() {
     constexpr unsigned halves = 1U << 16;
     const OCIO::Lut1DTransformRcPtr lut = OCIO::Lut1DTransform::Create(halves, true);
     for (unsigned bits = 0; bits < halves; ++bits) {
@@ -28,7 +36,7 @@ OCIO::TransformRcPtr filmic_transform() {
         if (h.isInfinity())
             shown = h.isNegative() ? 0 : 1;
         else if (!h.isNan())
-            shown = display_from_linear(filmic_curve(std::max(0.0, double(float(h)))));
+            shown = filmic_curve(std::max(0.0, double(float(h))));
         const auto value = static_cast<float>(shown);
         lut->setValue(bits, value, value, value);
     }
@@ -41,6 +49,15 @@ OCIO::TransformRcPtr standard_transform() {
     srgb->setOffset({0.055, 0.055, 0.055, 0.0});
     srgb->setDirection(OCIO::TRANSFORM_DIR_INVERSE);
     return srgb;
+}
+
+OCIO::TransformRcPtr filmic_transform() {
+    const OCIO::GroupTransformRcPtr group = OCIO::GroupTransform::Create();
+    group->appendTransform(mix_channels(filmic_crosstalk));
+    group->appendTransform(filmic_lut());
+    group->appendTransform(mix_channels(-filmic_crosstalk / (1 - 3 * filmic_crosstalk)));
+    group->appendTransform(standard_transform());
+    return group;
 }
 
 constexpr const char* linear_name = "lin_rec709";
@@ -64,7 +81,8 @@ OCIO::ConstConfigRcPtr own_config() {
     config->addDisplayView("sRGB", "filmic", "filmic_srgb", "");
     config->addDisplayView("sRGB", "standard", "srgb", "");
     config->setActiveDisplays("sRGB");
-    config->setActiveViews("filmic, standard");
+    config->addDisplayView("sRGB", "raw", linear_name, "");
+    config->setActiveViews("filmic, standard, raw");
     config->validate();
     return config;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/film/film.h"
 
+#include "core/binary_stream.h"
+
 #include <bit>
 #include <cmath>
 
@@ -14,12 +16,14 @@ double pixel_luminance(const double* rgb) { // ITU-R BT.709
 
 } // namespace
 
-Film::Film(int width, int height, const WideVec3& origin)
-    : width_(width), height_(height), origin_(origin),
-      pixels_(std::size_t(width) * std::size_t(height)) {}
+Film::Film(int width, int height, const WideVec3& origin, FilmExtras extras)
+    : width_(width), height_(height), origin_(origin), extras_(std::move(extras)),
+      pixels_(std::size_t(width) * std::size_t(height)),
+      group_sums_(pixels_.size() * extras_.light_groups.size(), Color(0.0F)),
+      mattes_(extras_.mattes ? pixels_.size() : 0) {}
 
-bool Film::add(int x, int y, const PathSample& sample, float depth) {
-    Pixel& pixel = pixels_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
+bool Film::add(int x, int y, const PathSample& sample, float depth, std::span<const Color> groups) {
+    Pixel& pixel = pixels_[index(x, y)];
     for (int c = 0; c < 3; ++c)
         if (!(std::isfinite(sample.radiance[c]) && sample.radiance[c] >= 0))
             return false;
@@ -44,7 +48,23 @@ bool Film::add(int x, int y, const PathSample& sample, float depth) {
     pixel.albedo += sample.albedo;
     pixel.normal += sample.normal;
     pixel.covered += sample.covered ? 1.0F : 0.0F;
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        group_sums_[index(x, y) * light_groups() + g] += groups[g];
+    if (extras_.mattes && sample.instance != PathSample::none)
+        mattes_.add(index(x, y), sample.instance, sample.material);
     return true;
+}
+
+void Film::save(std::ostream& out) const {
+    write_values(out, std::span(pixels_));
+    write_values(out, std::span(group_sums_));
+    mattes_.save(out);
+}
+
+void Film::restore(std::istream& in) {
+    read_values(in, std::span(pixels_));
+    read_values(in, std::span(group_sums_));
+    mattes_.restore(in);
 }
 
 double Film::luminance_at(int x, int y) const { return pixel_luminance(at(x, y).mean); }
@@ -116,6 +136,15 @@ Image Film::beauty() const {
     });
 }
 
+Image Film::light_group(std::size_t group) const {
+    Image image(width_, height_, {"R", "G", "B"});
+    for (std::size_t i = 0; i < pixels_.size(); ++i)
+        for (int c = 0; c < 3 && pixels_[i].count > 0; ++c)
+            image.pixels[3 * i + std::size_t(c)] =
+                group_sums_[i * light_groups() + group][c] / static_cast<float>(pixels_[i].count);
+    return image;
+}
+
 std::vector<ImagePart> Film::parts() const {
     std::vector<ImagePart> parts;
     parts.push_back({"beauty", beauty(), true});
@@ -155,6 +184,8 @@ std::vector<ImagePart> Film::parts() const {
                                      out[c] = static_cast<float>(pixel.square[c] / (n * (n - 1)));
                              }),
                      true});
+    for (std::size_t g = 0; g < light_groups(); ++g)
+        parts.push_back({"light_" + extras_.light_groups[g], light_group(g), true});
     return parts;
 }
 

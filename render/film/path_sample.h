@@ -17,7 +17,8 @@ struct PathSample {
     Vec3 position{0.0F, 0.0F, 0.0F};
     float distance = 0; // along the ray [m]
     std::uint32_t instance = none;
-    bool covered = false; // the ray met something
+    std::uint32_t material = 0; // of an instance
+    bool covered = false;       // the ray met something
 };
 
 } // namespace scree

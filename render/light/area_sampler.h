@@ -11,7 +11,8 @@ struct LightSample {
     Vec3 direction{0.0F, 0.0F, 0.0F}; // unit, towards the light
     float distance = 0;               // [m]; infinite for sky and sun
     Color radiance{0.0F, 0.0F, 0.0F};
-    float pdf = 0; // per solid angle, with the choice of the light; 0: no light
+    float pdf = 0;           // per solid angle, with the choice of the light; 0: no light
+    std::uint32_t light = 0; // its number in the scene's list
 };
 
 /// A rectangle, sampled uniformly by area.

@@ -42,6 +42,7 @@ LightSampler::LightSampler(std::span<const Light> lights, bool compensate)
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (const auto* area = std::get_if<AreaLight>(&lights[i])) {
             area_of_[i] = static_cast<std::uint32_t>(areas.size());
+            area_number_.push_back(static_cast<std::uint32_t>(i));
             areas.emplace_back(*area);
             continue;
         }
@@ -49,6 +50,7 @@ LightSampler::LightSampler(std::span<const Light> lights, bool compensate)
             infinite_.emplace_back(SkySampler(*sky, compensate));
         else
             infinite_.emplace_back(SunSampler(std::get<Sun>(lights[i])));
+        infinite_number_.push_back(static_cast<std::uint32_t>(i));
         infinite_weight_ += infinite_weight(infinite_.size() - 1);
     }
     areas_ = LightTree(areas);
@@ -75,6 +77,7 @@ LightSample LightSampler::sample_infinite(float left, const Vec2f& u, float tota
         left -= w;
     }
     LightSample sample;
+    sample.light = infinite_number_[chosen];
     sample.distance = std::numeric_limits<float>::infinity();
     if (const auto* sun = std::get_if<SunSampler>(&infinite_[chosen])) {
         sample.direction = sun->sample(u);
@@ -102,6 +105,7 @@ LightSample LightSampler::sample(const Vec3& point, float choice, const Vec2f& u
     if (!(chosen.probability > 0))
         return {};
     LightSample sample = areas_.light(chosen.light).sample(point, u);
+    sample.light = area_number_[chosen.light];
     sample.pdf *= chosen.probability * area_weight / total;
     return sample;
 }

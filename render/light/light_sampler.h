@@ -44,8 +44,8 @@ class LightSampler {
     /// pdf 0 when no light can be sampled from this point.
     LightSample sample(const Vec3& point, float choice, const Vec2f& u) const;
 
-    /// Calls visit(radiance, pdf) for every light at infinity that shines along `direction`; the
-    /// density is that of `sample` at `point`.
+    /// Calls visit(radiance, pdf, light) for every light at infinity that shines along
+    /// `direction`; the density is that of `sample` at `point`, `light` counts in the scene's list.
     template <class Visit>
     void at_infinity(const Vec3& point, const Vec3& direction, const Visit& visit) const;
 
@@ -64,9 +64,11 @@ class LightSampler {
     LightSample sample_infinite(float left, const Vec2f& u, float total) const;
 
     std::vector<std::variant<SkySampler, SunSampler>> infinite_;
+    std::vector<std::uint32_t> infinite_number_; // in the scene's list
     float infinite_weight_ = 0;
     LightTree areas_;
-    std::vector<std::uint32_t> area_of_; // by the number in the scene's list
+    std::vector<std::uint32_t> area_number_; // in the scene's list
+    std::vector<std::uint32_t> area_of_;     // the inverse
     bool empty_ = true;
 };
 
@@ -89,7 +91,7 @@ void LightSampler::at_infinity(const Vec3& point, const Vec3& direction, const V
                 total = total_weight(point);
             pdf *= infinite_weight(i) / total;
         }
-        visit(radiance, pdf);
+        visit(radiance, pdf, infinite_number_[i]);
     }
 }
 

@@ -288,7 +288,7 @@ TEST_F(Cli, ViewHonoursViewsExposureAndOcio) {
     const Outcome outcome = run("view a.exr -o x.png --view filmc");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.err,
-              "unknown view 'filmc'; there are: filmic, standard\n  did you mean filmic?\n");
+              "unknown view 'filmc'; there are: filmic, standard, raw\n  did you mean filmic?\n");
     const Outcome bad = run("view a.exr -o x.png", "OCIO=none.ocio");
     EXPECT_EQ(bad.code, 1);
     EXPECT_NE(bad.err.find("none.ocio"), std::string::npos);

@@ -20,7 +20,7 @@ class ResumeCli : public tests::CliTest {
     void write(const std::string& name, double grey) const {
         write_file(path(name), "return scene { film = { width = 70, height = 40, samples = 12 },\n"
                                "camera = camera.perspective { from = {0, 1, 3}, at = {0, 0, 0} },\n"
-                               "lights = { light.sky {} },\n"
+                               "lights = { light.sky { group = \"day\" }, light.sun {} },\n"
                                "objects = { object { shape = mesh.sphere { radius = 0.5 },\n"
                                "  material = material.matte { color = { " +
                                    std::to_string(grey) + ", 0.4, 0.3 } } } } }");
@@ -73,6 +73,7 @@ TEST_F(ResumeCli, ACheckpointOfAnotherPictureIsRefused) {
     refused("small.lua --size 40x40", "size 70x40 instead of size 40x40");
     refused("small.lua --crop 0,0,9,9", "crop 0,0,70,40 instead of crop 0,0,9,9");
     refused("small.lua --shard 2/3", "shard 1/1 instead of shard 2/3");
+    refused("small.lua --aov crypto_object", "mattes no instead of mattes yes");
     EXPECT_EQ(run("render --quiet --resume -o a.exr other.lua").code, 1);
     const std::string bytes = read_file(path("a.checkpoint"));
     write_file(path("a.checkpoint"), bytes.substr(0, bytes.size() / 2));
@@ -84,7 +85,8 @@ TEST_F(ResumeCli, ACheckpointOfAnotherPictureIsRefused) {
 }
 
 TEST_F(ResumeCli, ShardsMergeToTheBytesOfTheWhole) {
-    const std::string how = " --quiet --aov albedo,instance,variance --view standard";
+    const std::string how =
+        " --quiet --aov albedo,instance,variance,crypto_object --view standard --png-bits 16";
     for (const auto& [more, counts] : {std::pair{"", std::vector{1, 16}},
                                        {" --crop 3,5,60,30", {3}},
                                        {" --noise 0.05 --spp 64", {3}}}) {

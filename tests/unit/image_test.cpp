@@ -75,6 +75,18 @@ TEST(Image, PngRoundTripIsWithinOneStepAndLinear) {
     }
 }
 
+// Values that 8 bits cannot tell apart.
+TEST(Image, APngOf16BitsKeepsSmallSteps) {
+    const std::string path = temporary("deep.png");
+    Image image(256, 1, {"Y"});
+    for (int x = 0; x < 256; ++x)
+        image.pixels[std::size_t(x)] = static_cast<float>(30000 + x) / 65535;
+    write_png(path, image, {}, PngDepth::sixteen);
+    const Image read = read_data_image(path);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        ASSERT_NEAR(read.pixels[i], image.pixels[i], 0.01F / 65535);
+}
+
 TEST(Image, DitherKeepsExactStepsAndTheMean) {
     const std::string path = temporary("dither.png");
     Image image(64, 64, {"Y"});

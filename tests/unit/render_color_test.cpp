@@ -3,6 +3,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/math.h"
 #include "tests/support/folder.h"
 
 #include <cmath>
@@ -37,8 +38,44 @@ TEST(Color, FilmicViewFollowsItsCurve) {
     EXPECT_LE(filmic_curve(1e6), 1);
 }
 
+Color shown(const Color& color, const std::string& view) {
+    Image image(1, 1, {"R", "G", "B"});
+    image.pixels = {color.x, color.y, color.z};
+    const Image out = to_display(image, view);
+    return {out.pixels[0], out.pixels[1], out.pixels[2]};
+}
+
+// A red lamp that is made brighter: red at first, white in the end, never magenta or yellow.
+TEST(Color, FilmicTurnsBrightColorsWhite) {
+    const Color dim = shown(Color(0.5F, 0.0F, 0.0F), "filmic");
+    EXPECT_GT(dim.x, 0.7F);
+    EXPECT_LT(dim.y, 0.01F);
+    float before = 0;
+    for (float strength = 1; strength < 1000; strength *= 2) {
+        const Color lamp = shown(Color(strength, 0.0F, 0.0F), "filmic");
+        EXPECT_GE(std::max(0.0F, lamp.y), before) << strength;
+        EXPECT_NEAR(lamp.y, lamp.z, 1e-5F) << strength;
+        before = std::max(0.0F, lamp.y);
+    }
+    EXPECT_GT(before, 0.95F);
+}
+
+// Where all channels lie on the straight part of the curve, a colour is that of sRGB.
+TEST(Color, FilmicKeepsColorsOfTheMiddle) {
+    const Color color(0.3F, 0.5F, 0.4F);
+    const Color filmic = shown(color, "filmic");
+    const Color standard = shown(color, "standard");
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(filmic[c], standard[c], 2e-3F);
+}
+
+TEST(Color, RawViewShowsValuesAsTheyAre) {
+    const Color color(0.25F, 0.5F, 2.0F);
+    EXPECT_EQ(shown(color, "raw"), color);
+}
+
 TEST(Color, UnknownViewNamesTheOthers) {
-    EXPECT_EQ(view_names(), (std::vector<std::string>{"filmic", "standard"}));
+    EXPECT_EQ(view_names(), (std::vector<std::string>{"filmic", "standard", "raw"}));
     try {
         to_display(one_pixel(1), "filmc");
         FAIL();

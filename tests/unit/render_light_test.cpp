@@ -104,21 +104,21 @@ TEST(Sampling, ChoiceOfLightsSumsToOne) {
     const std::vector<Light> lights = {
         test::even_sky(1), Sun{Vec3(0.0F, 1.0F, 0.0F), 0.5F, Color(1.0F, 1.0F, 1.0F), 2.0F}};
     const LightSampler sampler(lights, false);
-    EXPECT_EQ(check_directions(
-                  [&](Random& random) {
-                      const float choice = random.uniform_float();
-                      const Vec3 point(0.0F, 0.0F, 0.0F);
-                      return cells_from_sky(
-                          sampler.sample(point, choice, next_pair(random)).direction);
-                  },
-                  [&](const Vec3& d) {
-                      float sum = 0;
-                      sampler.at_infinity(Vec3(0.0F, 0.0F, 0.0F), cells_from_sky(d),
-                                          [&](const Color&, float pdf) { sum += pdf; });
-                      return sum;
-                  },
-                  96),
-              "");
+    EXPECT_EQ(
+        check_directions(
+            [&](Random& random) {
+                const float choice = random.uniform_float();
+                const Vec3 point(0.0F, 0.0F, 0.0F);
+                return cells_from_sky(sampler.sample(point, choice, next_pair(random)).direction);
+            },
+            [&](const Vec3& d) {
+                float sum = 0;
+                sampler.at_infinity(Vec3(0.0F, 0.0F, 0.0F), cells_from_sky(d),
+                                    [&](const Color&, float pdf, std::uint32_t) { sum += pdf; });
+                return sum;
+            },
+            96),
+        "");
 }
 
 } // namespace

@@ -1,0 +1,4 @@
+return scene {
+  lights = { light.sky { group = "key.left" }, light.sun { group = "" } },
+  objects = { object { shape = mesh.sphere {} } },
+}
