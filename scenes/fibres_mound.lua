@@ -1,5 +1,6 @@
 -- A mound of the shape of a Gaussian (Sakurai 2013, figure 5.13: --set figure=5.13b to 5.13e).
 local pile = include("parts/pile.lua")
+local fibres = include("parts/fibres.lua")
 local figure = include("parts/fibre_figures.lua")(arg("figure", "5.13b"))
 
 local profile = { { 0, 0 }, { 0.12, 0 }, { 0.12, 0 } }
@@ -10,10 +11,10 @@ end
 
 return scene {
   film = { width = 1280, height = 720, samples = arg("samples", 128) },
-  camera = camera.perspective { from = { 0, 0.16, 0.42 }, at = { 0, 0.02, 0 }, fov = 26 },
-  lights = pile.lights(0.2, 1.0),
+  camera = camera.perspective { from = { 0, 0.16, 0.42 }, at = { 0, 0.022, 0 }, fov = 22 },
+  lights = fibres.lights(0.2, 1.1),
   objects = {
-    pile.table_top(0.2, srgb("#5a6670")),
+    pile.table_top(0.2, srgb("#39434b")),
     generator.fibres {
       target = mesh.lathe { profile = profile }, count = arg("count", figure.count), length = 0.08, segments = figure.segments,
       radius = mm(0.22), theta = figure.theta, phi = figure.phi, seed = arg("seed", 1),

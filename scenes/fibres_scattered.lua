@@ -4,7 +4,7 @@ local figure = include("parts/fibre_figures.lua")("5.10")
 
 return scene {
   film = { width = 1280, height = 720, samples = arg("samples", 128) },
-  camera = camera.perspective { from = { 0, 0.3, 0.42 }, at = { 0, 0, 0.01 }, fov = 30 },
+  camera = camera.perspective { from = { 0, 0.3, 0.42 }, at = { 0, 0, 0.01 }, fov = 26 },
   lights = pile.lights(0.2, 1.0),
   objects = {
     pile.table_top(0.2, srgb("#35302c")),

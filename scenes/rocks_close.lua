@@ -11,7 +11,7 @@ return scene {
     object { shape = mesh.plane { size = 40 }, material = rocks.sand },
     object { shape = mesh.rock { size = 0.8, triangles = 81920, cracks = 1, seed = arg("seed", 3) }, material = rocks.old(granite, 0.35), position = { 0, -0.03, 0 } },
     generator.rocks {
-      domain = region.rectangle { width = 3, depth = 2.4 }, smallest = 0.008, largest = 0.06, cover = 0.12,
+      domain = region.rectangle { width = 6, depth = 5 }, smallest = 0.008, largest = 0.06, cover = 0.12,
       material = material.matte { color = granite }, burial = 0.3,
     },
   },

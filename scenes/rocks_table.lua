@@ -28,7 +28,7 @@ end
 
 return scene {
   film = { width = 960, height = 720, samples = arg("samples", 48), clamp = 6 },
-  camera = camera.perspective { from = { 0, 0.95, 1.05 }, at = { 0, 0, 0.03 }, fov = 42 },
+  camera = camera.perspective { from = { 0, 0.95, 1.05 }, at = { 0, 0, 0.02 }, fov = 38 },
   lights = rocks.daylight({ -1.0, 0.8, 0.2 }),
   objects = {
     object { shape = mesh.plane { size = 40 }, material = rocks.earth },

@@ -1,12 +1,12 @@
 -- Fig. 15 of Sakurai & Miyata: rocks of three sizes with a solid texture. --set method=mosaic closes
 -- the gaps; --set texture=stone.
 local rocks = include("parts/rocks.lua")
-local texture = arg("texture", "granite") == "granite" and rocks.granite_texture("bianco_sardo", 0.035) or rocks.sandstone_texture({ 0.40, 0.36, 0.31 }, 0.06)
+local texture = arg("texture", "granite") == "granite" and rocks.granite_texture("bianco_sardo", 0.02) or rocks.sandstone_texture({ 0.40, 0.36, 0.31 }, 0.06)
 
 return scene {
   film = { width = 1280, height = 720, samples = arg("samples", 64), clamp = 6 },
   camera = camera.perspective { from = { 0, 0.74, 0.66 }, at = { 0, 0, 0.12 }, fov = 36 },
-  lights = rocks.daylight({ -1.0, 0.65, 0.15 }),
+  lights = rocks.daylight({ -1.0, 0.42, 0.1 }),
   objects = {
     object { shape = mesh.plane { size = 40 }, material = rocks.earth },
     generator.rocks {

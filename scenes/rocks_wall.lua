@@ -8,7 +8,7 @@ return scene {
   objects = {
     generator.rocks {
       method = "mosaic",
-      domain = region.rectangle { width = 2.4, depth = 2.2 },
+      domain = region.rectangle { width = 3.4, depth = 2.8 },
       sizes = { { radius = 0.18, share = 0.4 }, { radius = 0.09, share = 0.35 }, { radius = 0.04, share = 0.25 } },
       joint = mm(3), wear = 0.35, axes = { 0.7, 0.45 }, burial = 0.35,
       materials = { rocks.sandstone({ 0.40, 0.37, 0.33 }), rocks.sandstone({ 0.33, 0.31, 0.29 }), rocks.sandstone({ 0.44, 0.38, 0.30 }) },
