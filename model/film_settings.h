@@ -14,9 +14,10 @@ struct FilmSettings {
     int samples = 64; // per pixel
     int depth = 16;   // maximum path length in edges; 1 shows light sources only, 2 direct light
     Filter filter = Filter::blackman_harris;
-    float radius = 1.5F; // of the filter [pixels]
-    float clamp = 0;     // upper limit of an indirect contribution; 0: unclamped, unbiased
-    float exposure = 0;  // of the displayed picture [stops]
+    float radius = 1.5F;  // of the filter [pixels]
+    float clamp = 0;      // upper limit of an indirect contribution; 0: unclamped, unbiased
+    float regularise = 0; // least roughness of what light meets after a diffuse bounce; 0: unbiased
+    float exposure = 0;   // of the displayed picture [stops]
 };
 
 } // namespace scree

@@ -69,6 +69,17 @@ bool shows_picture(const Material& material) {
     return paint != nullptr && asks_for_uv(*paint);
 }
 
+Material roughened(const Material& material, float least) {
+    Material out = material;
+    std::visit(
+        [&](auto& m) {
+            if constexpr (requires { m.roughness; })
+                m.roughness = std::max(m.roughness, least);
+        },
+        out);
+    return out;
+}
+
 bool uses_uv(const Material& material) { return shows_picture(material) || is_oriented(material); }
 
 } // namespace scree

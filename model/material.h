@@ -140,6 +140,9 @@ bool has_inside(const Material& material);
 /// Whether a picture or the like covers it, which UVs put in place.
 bool shows_picture(const Material& material);
 
+/// The material with facets of at least this (perceptual) roughness.
+Material roughened(const Material& material, float least);
+
 /// Whether its look depends on a surface's UVs or tangent, which hits then carry.
 bool uses_uv(const Material& material);
 

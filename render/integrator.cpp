@@ -21,6 +21,11 @@ constexpr float kept_throughput = 0.25F;
 // A filter that is as wide as it is far away: 53 degrees.
 constexpr float widest_spread = 1;
 
+// Directions of a lower density [1/sr] come from a wide lobe: a diffuse one has up to 1 / pi. What
+// they meet cannot be seen sharply, and narrow lobes there are found by chance alone: they are made
+// wider if the film says so (Kaplanyan & Dachsbacher 2013, "Path space regularization").
+constexpr float diffuse_density = 1;
+
 // Shadow rays end at this share of the distance to the light, so as not to hit it.
 constexpr float before_light = 1 - 0x1p-12F;
 
@@ -36,9 +41,10 @@ bool black(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 } // namespace
 
-Integrator::Integrator(const World& world, int depth, float clamp, Mis mis)
-    : world_(world), materials_(world.materials()), lights_(world.lights(), mis == Mis::both),
-      group_of_(light_groups(world.lights()).of), depth_(depth), clamp_(clamp), mis_(mis) {}
+Integrator::Integrator(const World& world, const FilmSettings& settings, Mis mis)
+    : world_(world), materials_(world.materials(), settings.regularise),
+      lights_(world.lights(), mis == Mis::both), group_of_(light_groups(world.lights()).of),
+      depth_(settings.depth), clamp_(settings.clamp), mis_(mis) {}
 
 void Integrator::add(Path& path, const Color& contribution, int edges,
                      std::uint32_t light_number) const {
@@ -146,8 +152,9 @@ bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCou
     const Hit& hit = path.hit_;
     const bool emerging = path.walking_;
     path.walking_ = false;
-    const Surface surface = emerging ? materials_.emerging(hit, path.ray_.direction, painted)
-                                     : materials_.surface(hit, path.ray_.direction, painted);
+    const Surface surface =
+        emerging ? materials_.emerging(hit, path.ray_.direction, painted)
+                 : materials_.surface(hit, path.ray_.direction, painted, path.diffused_);
     if (path.edges_ == 1 && !emerging) {
         path.sample_.albedo = surface.bsdf.color;
         path.sample_.normal = surface.frame.z;
@@ -187,6 +194,7 @@ bool Integrator::scatter(Path& path, const Painted& painted, float share, RayCou
     if (!scattered.delta)
         path.spread_ =
             std::max(path.spread_, std::min(widest_spread, share / std::sqrt(scattered.pdf)));
+    path.diffused_ = path.diffused_ || (!scattered.delta && scattered.pdf < diffuse_density);
     path.pdf_ = scattered.pdf;
     path.delta_ = scattered.delta;
     path.point_ = hit.position;

@@ -3,6 +3,7 @@
 // sampling (Veach & Guibas 1995).
 #pragma once
 
+#include "model/film_settings.h"
 #include "render/camera.h"
 #include "render/film/path_sample.h"
 #include "render/light/light_sampler.h"
@@ -51,7 +52,8 @@ class Path {
     float spread_;                       // how much the filter widens per metre
     bool delta_ = true;                  // its direction cannot be found by light sampling
     bool absorbing_ = false;
-    bool walking_ = false; // has entered a translucent surface and not come out yet
+    bool diffused_ = false; // has been scattered into a wide lobe
+    bool walking_ = false;  // has entered a translucent surface and not come out yet
     bool alive_ = true;
     int edges_ = 1; // of the path up to the ray's end
     Sampler sampler_;
@@ -61,8 +63,8 @@ class Path {
 /// Follows paths through a world. Thread-safe.
 class Integrator {
   public:
-    /// `world` must outlive this.
-    Integrator(const World& world, int depth, float clamp, Mis mis);
+    /// `world` must outlive this. Of the settings it takes depth, clamp and regularise.
+    Integrator(const World& world, const FilmSettings& settings, Mis mis);
 
     /// Follows the paths to their ends, one edge of all paths at a time: memory is fetched for one
     /// while the rays of the others are traced, and a texture is evaluated for all of them at once.

@@ -18,8 +18,7 @@ PixelRenderer::PixelRenderer(const World& world, const Camera& camera, const Fil
                              const RenderOptions& options, const Crop& crop)
     : seed_(options.seed), crop_(crop),
       camera_(camera, settings.width, settings.height, world.origin()),
-      filter_(settings.filter, settings.radius),
-      integrator_(world, settings.depth, settings.clamp, options.mis) {
+      filter_(settings.filter, settings.radius), integrator_(world, settings, options.mis) {
     set_share(1);
 }
 

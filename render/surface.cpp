@@ -81,9 +81,14 @@ BsdfSample Surface::sample(float choice, const Vec2f& u) const {
     return sample;
 }
 
-MaterialSet::MaterialSet(std::span<const std::shared_ptr<const Material>> materials) {
-    for (const std::shared_ptr<const Material>& material : materials)
+MaterialSet::MaterialSet(std::span<const std::shared_ptr<const Material>> materials,
+                         float least_roughness)
+    : least_roughness_(least_roughness) {
+    for (const std::shared_ptr<const Material>& material : materials) {
         materials_.push_back(prepared(*material, tables_));
+        if (least_roughness > 0)
+            rough_.push_back(prepared(roughened(*material, least_roughness), tables_));
+    }
 }
 
 namespace {
@@ -113,10 +118,18 @@ void orient(Surface& surface, const Hit& hit, const Vec3& direction, const Paint
 
 } // namespace
 
-Surface MaterialSet::surface(const Hit& hit, const Vec3& direction, const Painted& painted) const {
+Surface MaterialSet::surface(const Hit& hit, const Vec3& direction, const Painted& painted,
+                             bool rough) const {
     assert(hit.material < materials_.size());
-    Surface surface = facing(hit, direction, *materials_[hit.material]);
-    surface.bsdf = surface.material->bsdf(painted, surface.outside);
+    const bool roughened = rough && !rough_.empty();
+    Surface surface = facing(hit, direction, *(roughened ? rough_ : materials_)[hit.material]);
+    if (roughened && painted.roughness >= 0) {
+        Painted rougher = painted;
+        rougher.roughness = std::max(painted.roughness, least_roughness_);
+        surface.bsdf = surface.material->bsdf(rougher, surface.outside);
+    } else {
+        surface.bsdf = surface.material->bsdf(painted, surface.outside);
+    }
     orient(surface, hit, direction, painted);
     return surface;
 }

@@ -36,13 +36,17 @@ struct Surface {
 /// The scene's materials. Thread-safe once made.
 class MaterialSet {
   public:
-    explicit MaterialSet(std::span<const std::shared_ptr<const Material>> materials);
+    /// `least_roughness` is that of rough surfaces; 0: they are as they are.
+    explicit MaterialSet(std::span<const std::shared_ptr<const Material>> materials,
+                         float least_roughness = 0);
 
     /// The material at a hit.
     const PreparedMaterial& at(const Hit& hit) const { return *materials_[hit.material]; }
 
-    /// The surface at a hit that was reached along `direction`, painted so.
-    Surface surface(const Hit& hit, const Vec3& direction, const Painted& painted) const;
+    /// The surface at a hit that was reached along `direction`, painted so. `rough`: with facets of
+    /// the least roughness or more.
+    Surface surface(const Hit& hit, const Vec3& direction, const Painted& painted,
+                    bool rough = false) const;
 
     /// The surface at a hit that light reached along `direction` from under it; of a material with
     /// a subsurface.
@@ -50,7 +54,9 @@ class MaterialSet {
 
   private:
     AlbedoTables tables_;
+    float least_roughness_;
     std::vector<std::unique_ptr<const PreparedMaterial>> materials_;
+    std::vector<std::unique_ptr<const PreparedMaterial>> rough_; // none without a least roughness
 };
 
 } // namespace scree
