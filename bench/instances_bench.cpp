@@ -87,8 +87,8 @@ struct Way {
     const char* name;
     std::size_t many;
     std::optional<World> world{};
-    double build_s = 0;  // of the CPU
-    double resident = 0; // [B] more for the world, as the system counts
+    double build_s = 0;                         // of the CPU
+    double resident = 0;                        // [B] more for the world, as the system counts
     std::array<std::vector<double>, 3> rates{}; // [Mray / CPU s] primary, diffuse, occlusion
 };
 
@@ -113,6 +113,8 @@ void measure(Way& way, const std::vector<Ray>& primary, const std::vector<Ray>& 
 }
 
 void compare(const std::shared_ptr<const Mesh>& mesh, std::size_t count) {
+    const std::vector<Aggregate> one = bed(mesh, 1);
+    const World shared(one, {}); // what does not grow with the count
     const std::vector<Aggregate> aggregates = bed(mesh, count);
     Way ways[] = {{"Embree's", std::numeric_limits<std::size_t>::max()}, {"together", 0}};
     for (Way& way : ways) {
@@ -128,22 +130,21 @@ void compare(const std::shared_ptr<const Mesh>& mesh, std::size_t count) {
     for (int run = 0; run < runs; ++run)
         for (Way& way : ways)
             measure(way, primary, diffuse);
-    // Without what instances share.
-    const std::vector<Aggregate> one = bed(mesh, 1);
     for (const Way& way : ways) {
-        const World shared(one, {}, {}, WideVec3(0), way.many);
-        const auto each = [&](std::size_t all, std::size_t of_one) {
-            return (double(all) - double(of_one)) / double(count);
+        const auto each = [&](double all) {
+            return (all - double(shared.memory_bytes())) / double(count);
         };
-        fmt::print("{:>9} {:10} {:8.2f} {:7.0f} {:7.0f}", count, way.name, way.build_s,
-                   each(way.world->memory_bytes(), shared.memory_bytes()),
-                   each(way.world->peak_bytes(), shared.memory_bytes()));
+        // Few are lost among what the process had before and uses again.
+        const std::string resident =
+            count >= 100'000 ? fmt::format("{:.0f}", each(way.resident)) : "";
+        fmt::print("{:>9} {:10} {:8.2f} {:8.0f} {:>8} {:8.0f}", count, way.name, way.build_s,
+                   each(double(way.world->memory_bytes())), resident,
+                   each(double(way.world->peak_bytes())));
         for (const std::vector<double>& rates : way.rates)
             fmt::print(" {:9.2f}", median(rates));
         fmt::print("\n");
     }
-    fmt::print("{:>9} {:10} {:8.2f} {:7} {:7}", "", "ratio", ways[1].build_s / ways[0].build_s, "",
-               "");
+    fmt::print("{:>9} {:10} {:8.2f} {:26}", "", "ratio", ways[1].build_s / ways[0].build_s, "");
     for (int kind = 0; kind < 3; ++kind)
         fmt::print(" {:9.2f}", median(ways[1].rates[kind]) / median(ways[0].rates[kind]));
     fmt::print("\n");
@@ -152,8 +153,8 @@ void compare(const std::shared_ptr<const Mesh>& mesh, std::size_t count) {
 void print_counts() {
     const std::shared_ptr<const Mesh> mesh = component();
     fmt::print("{} triangles; Mray a CPU second, one thread\n", mesh->triangles.size());
-    fmt::print("{:>9} {:10} {:>8} {:>7} {:>7} {:>9} {:>9} {:>9}\n", "instances", "way", "CPU s",
-               "B each", "at peak", "primary", "diffuse", "occluded");
+    fmt::print("{:>9} {:10} {:>8} {:>8} {:>8} {:>8} {:>9} {:>9} {:>9}\n", "instances", "way",
+               "CPU s", "B each", "resident", "at peak", "primary", "diffuse", "occluded");
     for (const std::size_t count : {1'000U, 10'000U, 100'000U, 1'000'000U})
         compare(mesh, count);
 }
