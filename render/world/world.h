@@ -78,7 +78,7 @@ struct RawHit {
 class World {
   public:
     /// From so many instances on all are kept together, which takes a third of the memory and no
-    /// more time; rays meet fewer 10 to 15 % faster one by one (docs/instances.md).
+    /// more time; rays meet fewer about 10 % faster one by one (docs/instances.md).
     static constexpr std::size_t many_instances = 100'000;
 
     /// Rays, hits and lights are relative to `origin`: near the camera, so that what is seen there
