@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <ctime>
+#include <fstream>
+#include <malloc.h>
+#include <unistd.h>
 #include <vector>
 
 namespace scree {
@@ -18,6 +21,15 @@ double cpu_seconds_of(const auto& work) {
     const double start = now();
     work();
     return now() - start;
+}
+
+/// What the process has in memory now, without what was freed [B].
+inline double resident_bytes() {
+    malloc_trim(0);
+    std::ifstream file("/proc/self/statm");
+    double pages = 0;
+    file >> pages >> pages; // the second
+    return pages * double(sysconf(_SC_PAGESIZE));
 }
 
 /// The median; of an even number of values the upper one. `values` must not be empty.

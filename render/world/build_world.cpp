@@ -28,7 +28,11 @@ void World::State::open_device() {
     rtcSetDeviceMemoryMonitorFunction(
         device.get(),
         [](void* self, ssize_t change, bool) {
-            static_cast<State*>(self)->bytes.fetch_add(change, std::memory_order_relaxed);
+            auto& state = *static_cast<State*>(self);
+            const std::int64_t now = state.bytes += change;
+            std::int64_t peak = state.peak_bytes;
+            while (now > peak && !state.peak_bytes.compare_exchange_weak(peak, now)) {
+            }
             return true;
         },
         this);
@@ -159,37 +163,6 @@ void World::State::find_tree(const Prototype& prototype, PrototypeRecord& record
         record.tree = record.strands = &found->second;
 }
 
-void World::State::add_instances(std::span<const Aggregate> aggregates) {
-    std::uint32_t first_prototype = 0;
-    for (const Aggregate& aggregate : aggregates) {
-        for (const Instance& instance : aggregate.instances) {
-            assert(instance.prototype < aggregate.prototypes.size());
-            const std::uint32_t index = first_prototype + instance.prototype;
-            instances.push_back(instance_record(instance, index, origin));
-        }
-        first_prototype += static_cast<std::uint32_t>(aggregate.prototypes.size());
-    }
-    for (std::size_t i = 0; i < instances.size(); ++i)
-        attach(instances[i], static_cast<unsigned>(i));
-}
-
-void World::State::attach(const InstanceRecord& record, unsigned id) {
-    const PrototypeRecord& prototype = prototypes[record.prototype];
-    if (prototype.tree == nullptr || record.scale == 0)
-        return; // nothing to see
-    if (prototype.strands != nullptr) {
-        strand_figures.strands += prototype.strands->strands->count();
-        strand_figures.segments += prototype.strands->strands->segment_count();
-    } else {
-        triangles += prototype.mesh->triangles.size();
-    }
-    const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
-    rtcSetGeometryInstancedScene(geometry.get(), prototype.tree->scene.get());
-    rtcSetGeometryTransform(geometry.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &record.rows[0]);
-    rtcCommitGeometry(geometry.get());
-    rtcAttachGeometryByID(scene.get(), geometry.get(), id);
-}
-
 void World::State::commit(const Context& context) {
     if (context.cancel != nullptr)
         rtcSetSceneProgressMonitorFunction(
@@ -203,14 +176,14 @@ void World::State::commit(const Context& context) {
 }
 
 World::World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
-             const Context& context, const WideVec3& origin)
+             const Context& context, const WideVec3& origin, std::size_t many)
     : state_(std::make_unique<State>()) {
     state_->origin = origin;
     state_->open_device();
     state_->scene = state_->new_scene();
     state_->check();
     state_->add_prototypes(aggregates, context);
-    state_->add_instances(aggregates);
+    state_->add_instances(aggregates, many);
     state_->lights.assign(lights.begin(), lights.end());
     for (Light& light : state_->lights)
         if (auto* area = std::get_if<AreaLight>(&light))

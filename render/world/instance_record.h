@@ -10,7 +10,7 @@
 namespace scree {
 
 /// What shading needs of an instance: 64 bytes, one cache line per hit.
-struct InstanceRecord {
+struct alignas(64) InstanceRecord {
     std::array<Vec3, 4> rows; // of world_from_object, relative to the world's origin
     std::uint32_t prototype;
     float random;

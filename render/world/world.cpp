@@ -26,18 +26,7 @@ constexpr float rounding = 0x1p-18F;
 RTCRayHit first_hit(RTCScene scene, const Vec3& origin, const Vec3& direction, float length,
                     std::uint64_t* clock) {
     RTCRayHit query;
-    query.ray.org_x = origin.x;
-    query.ray.org_y = origin.y;
-    query.ray.org_z = origin.z;
-    query.ray.dir_x = direction.x;
-    query.ray.dir_y = direction.y;
-    query.ray.dir_z = direction.z;
-    query.ray.tnear = 0;
-    query.ray.tfar = length;
-    query.ray.time = 0;
-    query.ray.mask = 0xffffffffU;
-    query.ray.id = 0;
-    query.ray.flags = 0;
+    query.ray = embree::make_ray(origin, direction, length);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     if (clock != nullptr) {
@@ -196,19 +185,7 @@ bool World::hit(const Ray& ray, Hit& hit, std::uint64_t* clock) const {
 }
 
 bool World::occluded(const Ray& ray, std::uint64_t* clock) const {
-    RTCRay query;
-    query.org_x = ray.origin.x;
-    query.org_y = ray.origin.y;
-    query.org_z = ray.origin.z;
-    query.dir_x = ray.direction.x;
-    query.dir_y = ray.direction.y;
-    query.dir_z = ray.direction.z;
-    query.tnear = 0;
-    query.tfar = ray.length;
-    query.time = 0;
-    query.mask = 0xffffffffU;
-    query.id = 0;
-    query.flags = 0;
+    RTCRay query = embree::make_ray(ray.origin, ray.direction, ray.length);
     if (clock != nullptr) {
         const std::uint64_t start = ticks();
         embree::occluded(state_->scene.get(), query);
@@ -230,11 +207,18 @@ std::span<const std::shared_ptr<const Material>> World::materials() const {
 std::span<const Light> World::lights() const { return state_->lights; }
 const WideVec3& World::origin() const { return state_->origin; }
 
+std::size_t World::State::record_bytes() const {
+    std::size_t sum = instances.capacity() * sizeof(InstanceRecord);
+    for (const auto& [mesh, tree] : mesh_trees)
+        sum += tree.triangles.size() * sizeof(TriangleRecord);
+    return sum;
+}
+
 std::size_t World::memory_bytes() const {
-    std::size_t records = state_->instances.size() * sizeof(InstanceRecord);
-    for (const auto& [mesh, tree] : state_->mesh_trees)
-        records += tree.triangles.size() * sizeof(TriangleRecord);
-    return static_cast<std::size_t>(std::max<std::int64_t>(0, state_->bytes.load())) + records;
+    return static_cast<std::size_t>(state_->bytes) + state_->record_bytes();
+}
+std::size_t World::peak_bytes() const {
+    return static_cast<std::size_t>(state_->peak_bytes) + state_->record_bytes();
 }
 
 } // namespace scree

@@ -31,8 +31,10 @@ struct PrototypeRecord {
 };
 
 struct World::State {
-    // How much memory Embree uses, and the first of its errors; Embree's threads write them.
+    // How much memory Embree uses, the most it did, and the first of its errors; Embree's threads
+    // write them.
     std::atomic<std::int64_t> bytes = 0;
+    std::atomic<std::int64_t> peak_bytes = 0;
     std::mutex error_mutex;
     std::string error;
 
@@ -71,9 +73,17 @@ struct World::State {
     void find_tree(const Prototype& prototype, PrototypeRecord& record) const;
 
     void add_prototypes(std::span<const Aggregate> aggregates, const Context& context);
-    void add_instances(std::span<const Aggregate> aggregates);
-    void attach(const InstanceRecord& record, unsigned id);
+    // Instances: `many` are one geometry of ours, fewer are one of Embree's each.
+    void add_instances(std::span<const Aggregate> aggregates, std::size_t many);
+    void count_shapes(const InstanceRecord& record);
+    void attach_each();
+    void attach_together();
+    template <class Arguments>
+    static void enter(const Arguments* args);
+
     void add_area_lights();
+
+    std::size_t record_bytes() const;
 
     void fill_surface(const RawHit& found, Hit& hit) const;
     void fill_strand(const Ray& ray, const RawHit& found, Hit& hit) const;

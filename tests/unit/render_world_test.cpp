@@ -39,7 +39,12 @@ Matrix skewed(Random& random) {
                            static_cast<float>(random.uniform(-3, 3))));
 }
 
-TEST(World, AgreesWithBruteForce) {
+// From how many instances on they are kept together: never, and always.
+class WorldOfBoth : public testing::TestWithParam<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(Instances, WorldOfBoth,
+                         testing::Values(std::numeric_limits<std::size_t>::max(), 0));
+
+TEST_P(WorldOfBoth, AgreesWithBruteForce) {
     Random random(21, Purpose::test);
     const Mesh mesh = test::make_sphere(0.5F, 8);
     Aggregate aggregate;
@@ -49,7 +54,7 @@ TEST(World, AgreesWithBruteForce) {
                                     {std::make_shared<const Material>(Metal{})}});
     for (int i = 0; i < 20; ++i)
         aggregate.instances.push_back({0, WideMatrix(skewed(random)), 0.0F, 0.0F, 1.0F});
-    const World world(std::span(&aggregate, 1), {});
+    const World world(std::span(&aggregate, 1), {}, {}, WideVec3(0), GetParam());
     EXPECT_EQ(world.instance_count(), 20U);
     EXPECT_EQ(world.triangle_count(), 20 * mesh.triangles.size());
     EXPECT_EQ(world.materials().size(), 2U);
@@ -103,7 +108,7 @@ TEST(World, AgreesWithBruteForce) {
     EXPECT_GT(hits, 500);
 }
 
-TEST(World, RaysThatLeaveDoNotMeetTheirSurface) {
+TEST_P(WorldOfBoth, RaysThatLeaveDoNotMeetTheirSurface) {
     // A convex body is never met again by a ray that leaves it, at any place and size.
     for (const float scale : {1e-4F, 1.0F, 100.0F})
         for (const float distance : {0.0F, 3.0F, 300.0F}) {
@@ -115,7 +120,7 @@ TEST(World, RaysThatLeaveDoNotMeetTheirSurface) {
             test::Stage stage;
             stage.add(test::make_sphere(1, 24, false), test::grey_matte(1),
                       s * m * test::move(Vec3(distance, distance * 0.5F, -distance)));
-            const World world(stage.aggregates, {});
+            const World world(stage.aggregates, {}, {}, WideVec3(0), GetParam());
             const Vec3 centre(distance, distance * 0.5F, -distance);
             int met = 0;
             for (int i = 0; i < 20000; ++i) {
