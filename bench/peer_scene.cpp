@@ -190,23 +190,28 @@ class Writer {
                        field("ends", numbers(ends)), field("radius", double(strands.radii[0]))});
     }
 
+    // Prototypes of one shape and material share it, as single objects of one mesh do.
+    std::size_t shape(const Prototype& prototype) {
+        if (prototype.materials.size() > 1)
+            refuse("a mesh of several materials");
+        const std::size_t of =
+            material(prototype.materials.empty() ? nullptr : prototype.materials.front());
+        const auto [found, is_new] =
+            shape_index_.try_emplace({prototype.shape, of}, shapes_.size());
+        if (is_new)
+            shapes_.push_back(prototype.strands() != nullptr
+                                  ? strands_json(*prototype.strands(), of)
+                                  : mesh_json(*prototype.mesh(), of));
+        return found->second;
+    }
+
     void add(const Aggregate& aggregate) {
-        const std::size_t first = shapes_.size();
-        for (const Prototype& prototype : aggregate.prototypes) {
-            if (prototype.materials.size() > 1)
-                refuse("a mesh of several materials");
-            const std::size_t of =
-                material(prototype.materials.empty() ? nullptr : prototype.materials.front());
-            if (const Strands* strands = prototype.strands())
-                shapes_.push_back(strands_json(*strands, of));
-            else
-                shapes_.push_back(mesh_json(*prototype.mesh(), of));
-        }
         for (const Instance& instance : aggregate.instances) {
-            const Paint* paint = paint_of(aggregate.prototypes[instance.prototype].materials);
+            const Prototype& prototype = aggregate.prototypes[instance.prototype];
+            const Paint* paint = paint_of(prototype.materials);
             const std::optional<Color> color =
                 paint == nullptr ? std::nullopt : paint->one_color(instance.random);
-            objects_.push_back(object({field("shape", double(first + instance.prototype)),
+            objects_.push_back(object({field("shape", double(shape(prototype))),
                                        field("matrix", matrix(instance.world_from_object)),
                                        field("color", vector(color.value_or(Color(1.0F))))}));
         }
@@ -218,6 +223,7 @@ class Writer {
     std::vector<std::string> shapes_;
     std::vector<std::string> objects_;
     std::map<std::shared_ptr<const Material>, std::size_t> material_index_;
+    std::map<std::pair<Shape, std::size_t>, std::size_t> shape_index_; // by shape and material
     int pictures_ = 0;
 };
 

@@ -187,8 +187,8 @@ std::optional<Settings> read(std::span<const std::string> arguments, int& code) 
     Settings settings;
     for (const std::string& argument : arguments) {
         if (argument == "--quick") {
-            settings.samples = 8;
-            settings.reference = 128;
+            settings.samples = 16;
+            settings.reference = 256;
             settings.runs = 1;
             settings.shrink = 2;
         } else if (std::ranges::find(all_scenes, argument) != all_scenes.end()) {

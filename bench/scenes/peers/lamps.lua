@@ -27,7 +27,7 @@ end
 
 return scene {
   film = { width = 320, height = 180, depth = 6, filter = "box", radius = 0.5 },
-  camera = camera.perspective { from = { 0, 2.1, 7 }, at = { 0, 0.2, 0 }, fov = 40 },
+  camera = camera.perspective { from = { 0, 2.1, 7 }, at = { 0, -1, 0 }, fov = 40 },
   lights = lights,
   objects = objects,
 }

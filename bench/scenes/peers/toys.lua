@@ -1,6 +1,6 @@
 -- Toys of plastic and metal on a matte floor, under sun and sky.
 local red, yellow, green, blue = srgb("#cf3a2e"), srgb("#eebb35"), srgb("#4f9a4a"), srgb("#2f62a8")
-local candy = material.plastic { palette = { red, yellow, green, blue }, roughness = 0.25 }
+local candy = material.plastic { palette = { red, yellow, green, blue }, roughness = 0.3 }
 local painted = material.plastic { palette = { blue, green, red, yellow }, roughness = 0.4 }
 
 return scene {
@@ -18,11 +18,11 @@ return scene {
         { shape = mesh.star { radius = 0.065 }, material = candy, weight = 2 },
         { shape = mesh.ring { radius = 0.07 }, material = candy, weight = 2 },
         { shape = mesh.block { size = 0.085 }, material = painted, weight = 2 },
-        { shape = mesh.duck { length = 0.13 }, material = material.plastic { color = yellow, roughness = 0.25 } },
+        { shape = mesh.duck { length = 0.13 }, material = material.plastic { color = yellow, roughness = 0.3 } },
         { shape = mesh.tree { height = 0.17 }, material = painted },
-        { shape = mesh.jack { size = 0.075 }, material = material.metal { preset = "brass", roughness = 0.35 } },
-        { shape = mesh.gear { radius = 0.06 }, material = material.metal { preset = "aluminium", roughness = 0.25 } },
-        { shape = mesh.sphere { radius = 0.045 }, material = material.metal { preset = "copper", roughness = 0.15 } },
+        { shape = mesh.jack { size = 0.075 }, material = material.metal { preset = "brass", roughness = 0.4 } },
+        { shape = mesh.gear { radius = 0.06 }, material = material.metal { preset = "aluminium", roughness = 0.3 } },
+        { shape = mesh.sphere { radius = 0.045 }, material = material.metal { preset = "copper", roughness = 0.35 } },
       },
       rotation = { 0, 360 }, scale = { 0.85, 1.15 },
     },
