@@ -134,7 +134,7 @@ class Writer {
         for (std::size_t i = 0; i < samples.size(); ++i)
             for (int channel = 0; channel < 3; ++channel)
                 image.pixels[3 * i + std::size_t(channel)] = samples[i].color[channel];
-        const std::string name = fmt::format("texture{}.exr", ++pictures_);
+        std::string name = fmt::format("texture{}.exr", ++pictures_);
         const ImagePart part{"texture", std::move(image), false};
         write_exr(folder_ + "/" + name, {&part, 1}, {});
         return name;

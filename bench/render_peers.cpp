@@ -53,7 +53,7 @@ struct Figures {
 
 // A folder for what is handed to other programs.
 std::string folder_of(const std::string& scene) {
-    const std::string folder = SCREE_SOURCE_DIR "/build/peers/" + scene;
+    std::string folder = SCREE_SOURCE_DIR "/build/peers/" + scene;
     std::filesystem::create_directories(folder);
     return folder;
 }
@@ -68,7 +68,7 @@ std::string marble_picture() {
                                   session.context("texture"));
     for (float& v : image.pixels)
         v = display_from_linear(std::clamp(v, 0.0F, 1.0F));
-    const std::string path = folder_of("room") + "/marble.png";
+    std::string path = folder_of("room") + "/marble.png";
     write_png(path, image);
     return path;
 }
