@@ -1,6 +1,6 @@
 -- 400 things, matte and of metal, under 200 small lamps.
 math.randomseed(3)
-local metal = material.metal { color = { 0.9, 0.75, 0.5 }, roughness = 0.4 }
+local metal = material.metal { color = { 0.9, 0.75, 0.5 }, roughness = 0.3 }
 local matte = material.matte { palette = { { 0.7, 0.3, 0.2 }, { 0.3, 0.5, 0.6 }, { 0.7, 0.7, 0.65 } } }
 local shapes = { mesh.torus { radius = 0.14 }, mesh.sphere { radius = 0.16 }, mesh.duck { length = 0.35 } }
 local objects = { object { shape = mesh.plane { size = 40 }, material = material.matte { color = { 0.5, 0.5, 0.5 } } } }

@@ -3,7 +3,7 @@ return scene {
   objects = {
     object {
       shape = mesh.plane { size = 3 },
-      material = material.matte { color = procedural.marble { preset = "rosso_levanto", size = 0.9 } },
+      material = material.matte { color = procedural.marble { preset = "carrara", size = 0.9 } },
     },
   },
 }

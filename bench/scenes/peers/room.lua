@@ -1,7 +1,7 @@
 -- A closed room whose walls show a picture of marble, lit by an area light below the ceiling.
 local marble = material.matte { color = procedural.image { path = arg("marble", "marble.png") } }
 local plaster = material.matte { color = { 0.75, 0.73, 0.7 } }
-local steel = material.metal { preset = "iron", roughness = 0.3 }
+local steel = material.metal { preset = "iron", roughness = 0.35 }
 
 local function wall(material, width, depth, position, rotation)
   return object { shape = mesh.plane { size = width, depth = depth }, material = material, position = position, rotation = rotation }
