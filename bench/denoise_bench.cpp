@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The denoiser: what it leaves of the error of pictures with few samples, and how long it takes.
 #include "bench/measure.h"
+#include "bench/picture_error.h"
 #include "bench/tables.h"
 #include "render/film/denoise.h"
 #include "session/render_scene.h"
@@ -34,21 +35,6 @@ const std::array<Measured, 7> scenes{{
     {"leather.lua"},
 }};
 
-/// Mean over pixels and channels of the squared error over the squared reference + 0.01.
-double relative_error(const Image& picture, const Image& reference) {
-    double sum = 0;
-    double count = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        if (i % 4 == 3)
-            continue; // alpha
-        const double truth = double(reference.pixels[i]);
-        const double error = double(picture.pixels[i]) - truth;
-        sum += error * error / (truth * truth + 0.01);
-        ++count;
-    }
-    return sum / count;
-}
-
 Scene baked(Session& session) {
     Scene scene = session.bake(session.load());
     scene.film.width = width;
@@ -74,8 +60,8 @@ void print_errors() {
         };
         const Image reference = film_of(reference_samples, 99).beauty();
         const Film film = film_of(samples, 0);
-        const double raw = relative_error(film.beauty(), reference);
-        const double denoised = relative_error(denoise(film), reference);
+        const double raw = bench::relative_error(film.beauty(), reference);
+        const double denoised = bench::relative_error(denoise(film), reference);
         fmt::print("{:22}{:>10.5f}{:>10.5f}{:>8.3f}\n", measured.file, raw, denoised,
                    denoised / raw);
     }

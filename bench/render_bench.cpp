@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Path tracing of a heap of many instances: which share of the time is spent in Embree?
 //   render_bench [mesh.obj] [runs] [samples]
+// And how long do others take for as good a picture?
+//   render_bench --peers [--quick] [scene ...]
 #include "bench/measure.h"
+#include "bench/render_peers.h"
 #include "render/render.h"
 
 #include "core/parallel.h"
@@ -12,7 +15,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <span>
 
 using namespace scree;
 
@@ -87,6 +92,18 @@ double bare_rays_per_second(const World& world, const Camera& camera, const Film
 } // namespace
 
 int main(int count, char** arguments) {
+    const std::vector<std::string> given(arguments + 1, arguments + count);
+    if (!given.empty() && given[0] == "--peers")
+        return bench::render_peers(std::span(given).subspan(1));
+    if (!given.empty() && given[0].starts_with('-')) {
+        const bool help = given[0] == "--help" || given[0] == "-h";
+        std::FILE* out = help ? stdout : stderr;
+        if (!help)
+            fmt::print(out, "there is no option {}\n", given[0]);
+        fmt::print(out, "Usage: ./scree bench render [MESH.obj [RUNS [SAMPLES]]]\n"
+                        "       ./scree bench render --peers [--quick] [SCENE ...]\n");
+        return help ? 0 : 2;
+    }
     const std::string path = count > 1 ? arguments[1] : "/usr/share/glmark2/models/bunny.obj";
     const int runs = count > 2 ? std::atoi(arguments[2]) : 3;
     const auto mesh = std::make_shared<Mesh>(read_component(path));

@@ -25,8 +25,14 @@ class CliTest : public testing::Test {
 
     /// Runs the program in the test's folder.
     Outcome run(const std::string& arguments, const std::string& environment = "") const {
+        return run_program(SCREE_PROGRAM, arguments, environment);
+    }
+
+    /// Runs another program there.
+    Outcome run_program(const std::string& program, const std::string& arguments,
+                        const std::string& environment = "") const {
         const std::string command = "cd '" + folder_.path().string() + "' && " + environment +
-                                    " '" + SCREE_PROGRAM + "' " + arguments + " >out.txt 2>err.txt";
+                                    " '" + program + "' " + arguments + " >out.txt 2>err.txt";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(path("out.txt")),
                 read_file(path("err.txt"))};
