@@ -164,7 +164,7 @@ TEST_F(CurveFile, Errors) {
     EXPECT_EQ(error("a.obj", corners), "a.obj: it has no lines (l)");
     EXPECT_EQ(error("a.obj", corners + "l 1 9\n"), "a.obj: line 7: a line names vertex 9 of 6");
     EXPECT_EQ(error("a.obj", corners + "l 1\n"),
-              "a.obj: line 7: a line has 1 corners; expected at least 2");
+              "a.obj: line 7: a line has 1 corner; expected at least 2");
     EXPECT_EQ(error("a.obj", corners + "l 1 x\n"),
               "a.obj: line 7: \"x\" is not a corner of a line; expected whole numbers");
     EXPECT_EQ(error("a.json", "{\"aggregates\": []}"), "a.json: it has no strands");

@@ -116,7 +116,7 @@ TEST(StlFile, BinaryCountsAgreeWithTheSize) {
                   "for 6")
             << title;
         EXPECT_EQ(file_facts("a.stl", whole + std::string(3, '\0')),
-                  "4 triangles; its last 3 bytes are not read")
+                  "4 triangles; not read: 3 bytes at its end")
             << title;
     }
     EXPECT_EQ(file_problem("a.stl", std::string(6, '\1')),
