@@ -121,6 +121,17 @@ TEST_F(OptionsCli, DrawingsWarnOfProceduralsTheyDoNotShow) {
     EXPECT_EQ(run("bake striped.lua -o a.json").err.find("warning: "), std::string::npos);
 }
 
+TEST_F(OptionsCli, TheSizeOfADrawingIsThatOfItsLongerSide) {
+    for (const std::string size : {"300x300", "3", "big", "300.5"}) {
+        const Outcome outcome = run("bake named.lua -o a.png --size " + size);
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.err,
+                  "scree bake: --size: expected one number of pixels from 16 to 32768, for the "
+                  "longer side of the .png or .exr, whose form is that of the layout; got " +
+                      size + "\n  see scree bake --help\n");
+    }
+}
+
 TEST_F(OptionsCli, ADrawingOfNothingNamesItsFile) {
     write_file(path("wool.lua"),
                "return scene { objects = { generator.fibres { count = 8, contact = false,\n"
@@ -133,6 +144,14 @@ TEST_F(OptionsCli, ADrawingOfNothingNamesItsFile) {
                   std::string::npos)
             << outcome.err;
     }
+}
+
+TEST_F(OptionsCli, OneOfAThingIsNotSeveral) {
+    write_file(path("one.lua"), "return scene { lights = { light.sky {} },\n"
+                                "  camera = camera.perspective { from = {0, 1, 2} },\n"
+                                "  objects = { object { shape = mesh.sphere {} } } }\n");
+    EXPECT_EQ(run("check one.lua").out,
+              "one.lua: no mistakes: 0 generators, 1 object, 1 light, 1280 x 720 pixels\n");
 }
 
 TEST_F(OptionsCli, AnOptionIsNotTakenForAFile) {
