@@ -2,6 +2,7 @@
 #include "analysis/plot_sheet.h"
 
 #include "analysis/plot.h"
+#include "core/text.h"
 
 #include <fmt/format.h>
 
@@ -88,7 +89,7 @@ void draw_layout(Canvas& canvas, const AnalysisReport& report, const PlacedRegio
     canvas.clip_nothing();
 
     const LayoutFigures& figures = report.layouts[0];
-    std::string facts = fmt::format("{} elements", figures.count);
+    std::string facts = counted(figures.count, "element");
     if (figures.fill)
         facts += fmt::format(", fill {:.1f}%", 100 * *figures.fill);
     canvas.text({frame.center().x - 20, frame.min.y - 12}, facts, 18, ink, Align::centre);

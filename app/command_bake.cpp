@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <charconv>
 #include <memory>
 
 namespace scree {
@@ -63,6 +64,18 @@ void BakeOptions::add_solid_options(CLI::App& command) {
         ->group(group);
 }
 
+// What is wrong with a --size; "" for nothing.
+std::string problem_of_size(const std::string& given) {
+    int pixels = 0;
+    const char* end = given.data() + given.size();
+    const auto [rest, code] = std::from_chars(given.data(), end, pixels);
+    if (code == std::errc() && rest == end && pixels >= 16 && pixels <= 32768)
+        return "";
+    return fmt::format("expected one number of pixels from 16 to 32768, for the longer side of the "
+                       ".png or .exr, whose form is that of the layout; got {}",
+                       given);
+}
+
 void check_length(const std::string& option, double length) {
     if (!(length >= 0) || length > 1e6)
         throw Error::usage(fmt::format("{} {}: expected 0 to 1e6 metres", option, length));
@@ -107,7 +120,7 @@ void add_bake_command(CLI::App& app, Run& run) {
                     "File to write: .json, .svg, .png, .exr, .stl or .3mf")
         ->required();
     command->add_option("--size", options->size, "Pixels of the longer side of a .png or .exr")
-        ->check(CLI::Range(16, 32768))
+        ->check(problem_of_size)
         ->type_name("PIXELS");
     add_stats_option(*command, options->stats);
     options->add_solid_options(*command);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "app/scene_options.h"
+#include "core/text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -47,13 +48,14 @@ int check(const CheckOptions& options) {
         fmt::print("{}\n", to_json(*description));
         return 0;
     }
-    const auto generators = std::count_if(draft.items.begin(), draft.items.end(),
-                                          [](const auto& item) { return item->kind != "object"; });
+    const auto generators = std::size_t(std::ranges::count_if(
+        draft.items, [](const auto& item) { return item->kind != "object"; }));
     const Scene& scene = draft.scene;
     if (!options.scene.quiet)
-        fmt::print("{}: no mistakes: {} generators, {} objects, {} lights, {} x {} pixels\n",
-                   scene.name, generators, draft.items.size() - std::size_t(generators),
-                   scene.lights.size(), scene.film.width, scene.film.height);
+        fmt::print("{}: no mistakes: {}, {}, {}, {} x {} pixels\n", scene.name,
+                   counted(generators, "generator"),
+                   counted(draft.items.size() - generators, "object"),
+                   counted(scene.lights.size(), "light"), scene.film.width, scene.film.height);
     return 0;
 }
 

@@ -5,6 +5,7 @@
 #include "app/picture_output.h"
 #include "app/scene_options.h"
 #include "core/file.h"
+#include "core/text.h"
 #include "session/run_stats.h"
 
 #include <CLI/CLI.hpp>
@@ -55,8 +56,8 @@ int chosen_map(const SceneDraft& draft, const HeightOptions& options) {
             fmt::format("{} has {} height maps; choose one", options.scene.path, count),
             "for example --index 1, counted in the order of scene.objects, or --object NAME");
     if (options.index > count)
-        throw Error::usage(fmt::format("--index {}: {} has {} height map{}", options.index,
-                                       options.scene.path, count, count == 1 ? "" : "s"));
+        throw Error::usage(fmt::format("--index {}: {} has {}", options.index, options.scene.path,
+                                       counted(maps.size(), "height map")));
     return maps[std::size_t(options.index == 0 ? 0 : options.index - 1)];
 }
 

@@ -3,6 +3,7 @@
 #include "app/file_option.h"
 #include "app/picture_output.h"
 #include "app/scene_options.h"
+#include "core/text.h"
 #include "render/film/denoise.h"
 #include "session/cryptomatte.h"
 #include "session/merge_shards.h"
@@ -236,7 +237,7 @@ int run_render(const RenderCommand& command) {
                                 stats.samples_per_pixel, error, stats.mrays_per_s(),
                                 format_duration(stats.seconds)));
     if (stats.invalid_samples > 0)
-        run.console.say(fmt::format("{} invalid samples were dropped", stats.invalid_samples));
+        run.console.say("dropped " + counted(stats.invalid_samples, "invalid sample"));
     run.console.say("wrote " + output + " and " + beside(output, "png"));
     if (!command.stats.empty())
         write_file(command.stats,

@@ -184,8 +184,9 @@ std::string reference_markdown(std::span<const CatalogRow> rows) {
         if (row.family != family) {
             out += fmt::format("\n## {}\n", row.family);
             if (row.family == "mesh")
-                out += "\nMeshes are centred on the y axis, and their lowest point is at y = 0; "
-                       "those of `mesh.file` are with `size` or `centre`.\n";
+                out +=
+                    "\nThe foot of a mesh is below the middle of its bounding box, as low as its "
+                    "lowest point: y = 0 there.\n";
         }
         family = row.family;
         out += fmt::format("\n### {}\n\n{}\n", full_name(row), row.doc);

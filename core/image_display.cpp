@@ -3,11 +3,13 @@
 #include "core/file.h"
 #include "core/image_reading.h"
 #include "core/image_tags.h"
+#include "core/muted_stderr.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <mutex>
+#include <optional>
 
 namespace scree {
 
@@ -38,6 +40,8 @@ Image decoded(const std::string& path, const char* format, const std::string& by
         const std::string reason = input->geterror();
         return Error(path + ": is not a valid image" + (reason.empty() ? "" : ": " + reason));
     };
+    // libpng prints its errors before OpenImageIO tells them.
+    std::optional<MutedStderr> muted(std::in_place);
     OIIO::ImageSpec spec;
     OIIO::ImageSpec wish;
     wish.attribute("oiio:UnassociatedAlpha", 1); // curves apply to unpremultiplied values
@@ -50,6 +54,7 @@ Image decoded(const std::string& path, const char* format, const std::string& by
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, image.pixels.data()))
         throw failure();
     input->close();
+    muted.reset();
     warn_of_aspect(path, spec.get_float_attribute("PixelAspectRatio", 1), warn);
     return image;
 }

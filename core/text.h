@@ -16,6 +16,11 @@ inline std::string lower_case(std::string_view text) {
     return out;
 }
 
+/// A count of things: "1 part", "2 parts".
+inline std::string counted(std::size_t count, std::string_view thing) {
+    return std::to_string(count) + ' ' + std::string(thing) + (count == 1 ? "" : "s");
+}
+
 /// Without spaces, tabs and line ends before and after it.
 inline std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blanks = " \t\r\n\f";

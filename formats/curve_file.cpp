@@ -4,6 +4,7 @@
 #include "core/frame.h"
 #include "core/located.h"
 #include "core/random.h"
+#include "formats/file_placement.h"
 #include "formats/obj_statements.h"
 #include "formats/read_bake_json.h"
 #include "formats/table.h"
@@ -79,22 +80,63 @@ Strands strands_of(const std::vector<Aggregate>& aggregates) {
     return strands;
 }
 
+/// Puts the file's name, and the place in it, before what `work` throws.
+template <class Work>
+auto named(const std::string& path, const Work& work) {
+    try {
+        return work();
+    } catch (const Error& problem) {
+        const Diagnostic& what = problem.diagnostics().front();
+        const std::string line =
+            what.where.line > 0 ? fmt::format("line {}: ", what.where.line) : "";
+        throw Error(fmt::format("{}: {}{}{}{}", path, line, what.path, what.path.empty() ? "" : " ",
+                                what.message));
+    }
+}
+
+Strands read_baked(const Params& params, const std::string& path, const std::string& bytes) {
+    Strands strands = named(path, [&] { return strands_of(read_bake_json(bytes, path)); });
+    Imath::Box3d box;
+    for (const Vec3& p : strands.points)
+        box.extendBy(Imath::V3d(p));
+    const FilePlacement placement(params, box, "a baked scene is in metres");
+    for (Vec3& p : strands.points)
+        p = Vec3(placement(Imath::V3d(p)));
+    for (float& radius : strands.radii)
+        radius = static_cast<float>(radius * placement.scale());
+    return strands;
+}
+
+Strands read_lines(const Params& params, const std::string& path, const std::string& bytes) {
+    Obj obj = named(path, [&] { return parse_obj(bytes); });
+    bool unit_unknown = false;
+    Imath::Box3d box; // of what the lines use
+    for (const Obj::Face& line : obj.lines)
+        for (const ObjCorner& corner : obj.corners_of(line))
+            box.extendBy(obj.positions[std::size_t(corner[0])]);
+    if (!box.isEmpty()) {
+        const FilePlacement placement(params, box, "");
+        unit_unknown = placement.unit_unknown();
+        for (Imath::V3d& p : obj.positions)
+            p = placement(p);
+    }
+    const bool linear = params.text("curve") == "linear";
+    Strands strands = named(path, [&] {
+        return strands_of(obj, static_cast<float>(params.number("radius")),
+                          linear ? CurveKind::linear : CurveKind::bspline);
+    });
+    strands.unit_unknown = unit_unknown;
+    return strands;
+}
+
 Strands read(const Params& params) {
     const std::string& path = params.text("path");
     const std::string ending = extension(path);
     const std::string bytes = read_file(path);
-    try {
-        if (ending == "json")
-            return strands_of(read_bake_json(bytes, path));
-        if (ending == "obj")
-            return strands_of(parse_obj(bytes), static_cast<float>(params.number("radius")),
-                              params.text("curve") == "linear" ? CurveKind::linear
-                                                               : CurveKind::bspline);
-    } catch (const Error& problem) {
-        const Diagnostic& what = problem.diagnostics().front();
-        throw Error(
-            fmt::format("{}: {}{}{}", path, what.path, what.path.empty() ? "" : " ", what.message));
-    }
+    if (ending == "json")
+        return read_baked(params, path, bytes);
+    if (ending == "obj")
+        return read_lines(params, path, bytes);
     throw Error(path + ": is not a file of curves; expected .obj or .json");
 }
 
@@ -113,26 +155,28 @@ Strands make(const Params& params) {
 } // namespace
 
 Registry<Strands(const Params& params)> curve_file_table() {
+    std::vector<ParamSpec> specs{
+        {.name = "path", .type = ParamType::path, .doc = "The file: .obj or .json."}};
+    for (ParamSpec& spec : placement_specs("A baked scene is always in metres."))
+        specs.push_back(std::move(spec));
+    specs.push_back({.name = "radius",
+                     .type = ParamType::number,
+                     .doc = "Of all strands of an OBJ file, which has none; in metres, whatever "
+                            "`unit` and `size` are.",
+                     .unit = "m",
+                     .fallback = 0.001,
+                     .min = 0.0,
+                     .max = 1e6,
+                     .above_min = true});
+    specs.push_back(
+        {.name = "curve",
+         .type = ParamType::choice,
+         .doc = "Whether the points of an OBJ file are joined by straight lines or by splines.",
+         .fallback = std::string("linear"),
+         .choices = {"linear", "bspline"}});
     Registry<Strands(const Params& params)> table("curve");
-    table.add({
-        "file",
-        "Strands read from the lines of an OBJ file, or from a scene baked to JSON.",
-        {{.name = "path", .type = ParamType::path, .doc = "The file: .obj or .json."},
-         {.name = "radius",
-          .type = ParamType::number,
-          .doc = "Of all strands of an OBJ file, which has none.",
-          .unit = "m",
-          .fallback = 0.001,
-          .min = 0.0,
-          .max = 1e6,
-          .above_min = true},
-         {.name = "curve",
-          .type = ParamType::choice,
-          .doc = "Whether the points of an OBJ file are joined by straight lines or by splines.",
-          .fallback = std::string("linear"),
-          .choices = {"linear", "bspline"}}},
-        make,
-    });
+    table.add({"file", "Strands read from the lines of an OBJ file, or from a scene baked to JSON.",
+               std::move(specs), make});
     return table;
 }
 

@@ -92,6 +92,9 @@ MeshMaterial FileMaterials::described(const MaterialElement& element) {
     out.transmission = element.transmission;
     out.absorption = element.absorption;
     out.coated = element.specular > 0;
+    out.words = {.metallic = fmt::format("metallicFactor {:.3g}", element.metallic),
+                 .ior = fmt::format("ior {:.3g}", element.ior),
+                 .transmission = fmt::format("transmissionFactor {:.3g}", element.transmission)};
     return out;
 }
 

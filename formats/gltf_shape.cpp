@@ -2,6 +2,7 @@
 #include "formats/gltf_shape.h"
 
 #include "core/error.h"
+#include "core/text.h"
 
 #include <fmt/format.h>
 
@@ -96,8 +97,9 @@ Vertices vertices_of(const Primitive& primitive, const std::vector<double>& weig
     if (!positions)
         throw Error(primitive.path + " has no POSITION");
     if (!weights.empty() && weights.size() != primitive.targets.size())
-        throw Error(fmt::format("{} has {} morph targets, but {} weights", primitive.path,
-                                primitive.targets.size(), weights.size()));
+        throw Error(fmt::format("{} has {}, but {}", primitive.path,
+                                counted(primitive.targets.size(), "morph target"),
+                                counted(weights.size(), "weight")));
     const std::size_t count = data.elements_in(*positions);
     Vertices out;
     out.positions = attribute<Imath::V3d>(primitive, "POSITION", count, weights, data);

@@ -100,7 +100,8 @@ class Parser {
                 numbers_[count] = value;
         }
         if (count < least || count > most)
-            throw Error(fmt::format("a {} has {} numbers; expected {}", what, count, expected));
+            throw Error(
+                fmt::format("a {} has {}; expected {}", what, counted(count, "number"), expected));
         return {numbers_.data(), count};
     }
 
@@ -131,7 +132,8 @@ class Parser {
             out_.corners.push_back(corner(next));
         const std::size_t count = out_.corners.size() - first;
         if (count < 3)
-            throw Error(fmt::format("a face has {} corners; expected at least 3", count));
+            throw Error(
+                fmt::format("a face has {}; expected at least 3", counted(count, "corner")));
         out_.faces.push_back({first, count, line_, material_number()});
     }
 
@@ -142,7 +144,8 @@ class Parser {
             out_.corners.push_back(corner(next));
         const std::size_t count = out_.corners.size() - first;
         if (count < 2)
-            throw Error(fmt::format("a line has {} corners; expected at least 2", count));
+            throw Error(
+                fmt::format("a line has {}; expected at least 2", counted(count, "corner")));
         out_.lines.push_back({first, count, line_, 0});
     }
 

@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moves and scales the mesh of a file while its positions are in double precision.
 #pragma once
 
 #include "formats/file_mesh.h"
 
-#include <optional>
-
 namespace scree {
-
-/// Turns the mesh by -90 degrees about x: its z axis becomes y.
-void turn_z_up(FileMesh& mesh);
-
-/// The longest side of the mesh's bounding box.
-double longest_side(const FileMesh& mesh);
-
-/// Multiplies all positions.
-void scale(FileMesh& mesh, double factor);
-
-/// Moves the mesh so that its bounding box is centred on the y axis and stands on y = 0; with a
-/// `size` also scales it so that its longest side is that long [m].
-void centre(FileMesh& mesh, std::optional<double> size);
 
 /// What single precision does to the positions of a mesh.
 struct Rounding {

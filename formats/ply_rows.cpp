@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/ply_rows.h"
 
+#include "core/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,8 +50,8 @@ void PlyRows::read(const PlyHeader::Element& element) {
     if (header_.encoding == Encoding::ascii)
         do {
             if (!lines_.next())
-                throw Error(fmt::format("the file ends too early: its header counts {} rows of {}",
-                                        element.count, element.name));
+                throw Error(fmt::format("the file ends too early: its header counts {} of {}",
+                                        counted(element.count, "row"), element.name));
             rest_ = lines_.text();
         } while (rest_.find_first_not_of(white) == std::string_view::npos);
     values_.clear();
@@ -62,8 +64,9 @@ void PlyRows::read(const PlyHeader::Element& element) {
     }
     if (header_.encoding == Encoding::ascii)
         if (const std::string_view more = take_word(rest_); !more.empty())
-            throw Error(fmt::format("{} follows the {} numbers that the properties of {} take",
-                                    in_quotes(more), values_.size(), element.name));
+            throw Error(fmt::format("{} follows the {} that the properties of {} take",
+                                    in_quotes(more), counted(values_.size(), "number"),
+                                    element.name));
 }
 
 void PlyRows::finish() {
@@ -82,7 +85,8 @@ double PlyRows::number(Scalar type) {
         return binary(type);
     const std::string_view word = take_word(rest_);
     if (word.empty())
-        throw Error(fmt::format("the row ends too early, after {} numbers", values_.size()));
+        throw Error(
+            fmt::format("the row ends too early, after {}", counted(values_.size(), "number")));
     return number_of(word);
 }
 

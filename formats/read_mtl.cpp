@@ -65,7 +65,7 @@ class Library {
     }
 
     void statement(std::string_view keyword, std::string_view rest) {
-        keyword_ = keyword;
+        statement_ = in_words(keyword, rest);
         MeshMaterial& material = draft_->material;
         const auto is = [keyword](std::string_view word) { return same_word(keyword, word); };
         if (is("Kd"))
@@ -73,21 +73,24 @@ class Library {
         else if (is("Ks")) {
             const Color ks = color(rest);
             draft_->highlight = std::max({ks.x, ks.y, ks.z});
+            if (ks != Color(ks.x)) // highlights are white
+                note("the colour of Ks");
         } else if (is("Ns"))
             shininess(number(rest));
         else if (is("Ni"))
-            material.ior = number(rest);
+            refraction(number(rest));
         else if (is("d"))
             dissolve(rest);
         else if (is("Tr")) {
             if (!draft_->has_dissolve)
-                material.transmission = share(number(rest));
+                transmission(share(number(rest)));
         } else if (is("Pr")) {
             material.roughness = share(number(rest));
             draft_->has_roughness = true;
-        } else if (is("Pm"))
+        } else if (is("Pm")) {
             material.metallic = share(number(rest));
-        else if (is("illum"))
+            material.words.metallic = statement_;
+        } else if (is("illum"))
             illumination(number(rest));
         else if (is("map_Kd"))
             picture(rest);
@@ -106,6 +109,16 @@ class Library {
         note(std::string(keyword));
     }
 
+    /// The statement with its first few values, without a comment.
+    static std::string in_words(std::string_view keyword, std::string_view rest) {
+        std::string out(keyword);
+        rest = rest.substr(0, rest.find('#'));
+        std::string_view word = take_word(rest);
+        for (int i = 0; i < 3 && !word.empty(); ++i, word = take_word(rest))
+            out += fmt::format(" {}", word);
+        return out;
+    }
+
     static bool all_are(std::string_view rest, double value) {
         for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
             if (number_of(word) != value)
@@ -117,22 +130,34 @@ class Library {
 
     double share(double value) {
         if (value < 0 || value > 1)
-            note(fmt::format("{} {}", keyword_, value));
+            note(statement_);
         return std::clamp(value, 0.0, 1.0);
     }
 
     /// Three numbers, or one for grey.
     Color color(std::string_view rest) {
         Color out;
-        std::string_view word = take_word(rest);
+        double value = 0;
+        bool beyond = false;
         for (int i = 0; i < 3; ++i) {
-            if (i == 0 || !word.empty())
-                out[i] = static_cast<float>(share(finite_number_of(word)));
-            else
-                out[i] = out[i - 1];
-            word = take_word(rest);
+            if (const std::string_view word = take_word(rest); i == 0 || !word.empty())
+                value = finite_number_of(word);
+            beyond = beyond || value < 0 || value > 1;
+            out[i] = static_cast<float>(std::clamp(value, 0.0, 1.0));
         }
+        if (beyond)
+            note(statement_);
         return out;
+    }
+
+    void refraction(double ior) {
+        draft_->material.ior = ior;
+        draft_->material.words.ior = statement_;
+    }
+
+    void transmission(double share) {
+        draft_->material.transmission = share;
+        draft_->material.words.transmission = statement_;
     }
 
     /// Phong's exponent n is about that of a microfacet distribution of alpha = sqrt(2 / (n + 2))
@@ -148,7 +173,7 @@ class Library {
             note("d -halo");
             word = take_word(rest);
         }
-        draft_->material.transmission = 1 - share(finite_number_of(word));
+        transmission(1 - share(finite_number_of(word)));
         draft_->has_dissolve = true;
     }
 
@@ -212,7 +237,7 @@ class Library {
 
     std::string folder_;
     TextLines lines_;
-    std::string_view keyword_; // of the statement
+    std::string statement_; // that is read: "Kd 1 0 0"
     Draft* draft_ = nullptr;
 };
 

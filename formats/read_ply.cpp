@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PLY (Turk 1994): polygons and strips of triangles. What else the header declares is skipped and
 // named.
+#include "core/text.h"
 #include "formats/ply_rows.h"
 #include "formats/read_mesh.h"
 
@@ -197,8 +198,8 @@ class Reader {
 
     void skip(const Element& element) {
         if (element.count > 0)
-            unread_.push_back(
-                fmt::format("{} rows of element {}", element.count, in_quotes(element.name)));
+            unread_.push_back(fmt::format("{} of element {}", counted(element.count, "row"),
+                                          in_quotes(element.name)));
         for (std::size_t row = 0; row < element.count && !element.properties.empty(); ++row)
             rows_.next(element, row);
     }

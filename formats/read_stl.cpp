@@ -6,6 +6,7 @@
 #include "formats/vertex_merger.h"
 
 #include "core/error.h"
+#include "core/text.h"
 
 #include <fmt/format.h>
 
@@ -37,20 +38,19 @@ bool is_binary(std::string_view bytes) {
 
 void check_binary_size(std::string_view bytes, FileMesh& mesh) {
     if (bytes.size() < header_size)
-        throw Error(fmt::format("it has {} bytes; a binary file has at least {}", bytes.size(),
-                                header_size));
+        throw Error(fmt::format("it has {}; a binary file has at least {}",
+                                counted(bytes.size(), "byte"), header_size));
     const std::size_t room = (bytes.size() - header_size) / record_size;
     const std::size_t count = count_of(bytes);
     if (room < count)
-        throw Error(fmt::format("it ends too early: its header promises {} triangles, there is "
-                                "room for {}",
-                                count, room));
+        throw Error(fmt::format("it ends too early: its header promises {}, there is room for {}",
+                                counted(count, "triangle"), room));
     if (room > count)
-        throw Error(fmt::format("it goes on after the {} triangles that its header promises: there "
-                                "is room for {}",
-                                count, room));
+        throw Error(fmt::format("it goes on after the {} that its header promises: there is room "
+                                "for {}",
+                                counted(count, "triangle"), room));
     if (const std::size_t rest = (bytes.size() - header_size) % record_size; rest > 0)
-        mesh.warnings.push_back(fmt::format("its last {} bytes are not read", rest));
+        mesh.warnings.push_back("not read: " + counted(rest, "byte") + " at its end");
 }
 
 void read_binary(std::string_view bytes, FileMesh& mesh) {

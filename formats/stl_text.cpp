@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/stl_text.h"
 
+#include "core/text.h"
 #include "formats/text_lines.h"
 #include "formats/vertex_merger.h"
 
@@ -46,26 +47,21 @@ class Parser {
         const std::size_t line = lines_.number();
         std::string_view next = word();
         if (same_word(next, "normal")) {
-            for (int k = 0; k < 3; ++k)
-                number();
+            numbers(next, number_of);
             next = word();
         }
         if (!same_word(next, "outer") || !same_word(next = word(), "loop"))
             unexpected(next, "outer loop");
         corners_.clear();
-        for (next = word(); same_word(next, "vertex"); next = word()) {
-            Imath::V3d position(0.0);
-            for (int k = 0; k < 3; ++k)
-                position[k] = finite_number();
-            corners_.push_back(merger_.add(position));
-        }
+        for (next = word(); same_word(next, "vertex"); next = word())
+            corners_.push_back(merger_.add(numbers(next, finite_number_of)));
         if (!same_word(next, "endloop"))
             unexpected(next, "vertex or endloop");
         if (!same_word(next = word(), "endfacet"))
             unexpected(next, "endfacet");
         if (corners_.size() < 3)
-            throw line_error(
-                line, fmt::format("a facet has {} corners; expected at least 3", corners_.size()));
+            throw line_error(line, fmt::format("a facet has {}; expected at least 3",
+                                               counted(corners_.size(), "corner")));
         if (append_face(mesh_, corners_))
             crossing_.add(line);
     }
@@ -81,19 +77,26 @@ class Parser {
         }
     }
 
-    template <class Read>
-    double read(Read&& number) {
-        const std::string_view next = word();
-        if (next.empty())
-            unexpected(next, "a number");
-        try {
-            return number(next);
-        } catch (const Error& problem) {
-            throw line_error(lines_.number(), problem.diagnostics().front().message);
+    // The three numbers behind a keyword. A program may break the line between them, but when they
+    // end before a word of the next line, this one is at fault.
+    Imath::V3d numbers(std::string_view keyword, double (*number)(std::string_view)) {
+        const std::size_t line = lines_.number();
+        Imath::V3d out(0.0);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::string_view next = word();
+            if (next.empty())
+                unexpected(next, "a number");
+            try {
+                out[int(k)] = number(next);
+            } catch (const Error& problem) {
+                throw lines_.number() == line
+                    ? line_error(line, problem.diagnostics().front().message)
+                    : line_error(line, fmt::format("{} has {}; expected 3", keyword,
+                                                   counted(k, "number")));
+            }
         }
+        return out;
     }
-    double number() { return read(number_of); }
-    double finite_number() { return read(finite_number_of); }
 
     [[noreturn]] void unexpected(std::string_view word, const std::string& expected) const {
         if (word.empty())

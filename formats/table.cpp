@@ -17,16 +17,38 @@ void to_json_file(const Scene& scene, const std::string& path, const ExportOptio
     write_file(path, bake_json(scene.aggregates, {scene.name, scene.aggregates.front().seed}));
 }
 
-void to_svg(const Scene& scene, const std::string& path, const ExportOptions& /*options*/) {
-    write_file(path, layout_svg(scene.aggregates, element_color));
+/// What `draw` makes of the aggregates; errors, such as that nothing can be seen, name the file.
+template <class Draw>
+auto drawn(const Scene& scene, const std::string& path, const ExportOptions& options,
+           const Draw& draw) {
+    warn_of_plain_colors(scene.aggregates, options.warn);
+    try {
+        return draw(scene.aggregates);
+    } catch (const Error& error) {
+        if (error.fault() != Fault::input)
+            throw;
+        throw error.located({path, 0}, "");
+    }
+}
+
+void to_svg(const Scene& scene, const std::string& path, const ExportOptions& options) {
+    write_file(path, drawn(scene, path, options, [](const auto& aggregates) {
+                   return layout_svg(aggregates, element_color);
+               }));
+}
+
+Image picture_of(const Scene& scene, const std::string& path, const ExportOptions& options) {
+    return drawn(scene, path, options, [&](const auto& aggregates) {
+        return layout_image(aggregates, element_color, options.pixels);
+    });
 }
 
 void to_png(const Scene& scene, const std::string& path, const ExportOptions& options) {
-    write_png(path, display_image(layout_image(scene.aggregates, element_color, options.pixels)));
+    write_png(path, display_image(picture_of(scene, path, options)));
 }
 
 void to_exr(const Scene& scene, const std::string& path, const ExportOptions& options) {
-    const ImagePart part{"layout", layout_image(scene.aggregates, element_color, options.pixels)};
+    const ImagePart part{"layout", picture_of(scene, path, options)};
     const Box2 box = picture_box(scene.aggregates);
     write_exr(
         path, {&part, 1}, provenance(scene),

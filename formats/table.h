@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/registry.h"
+#include "core/warn.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/mesh/strands.h"
 #include "model/scene.h"
@@ -29,6 +30,7 @@ enum class Holds {
 struct ExportOptions {
     int pixels = 1600;           // of the longer side of a picture
     const Mesh* solid = nullptr; // the union of the components, for Holds::solid [m]
+    Warn warn = no_warning;      // told what the format cannot hold
 };
 
 /// A file format, chosen by the file's extension.

@@ -36,10 +36,10 @@ class Maker {
   private:
     Material material_from(const MeshMaterial& from) {
         const auto roughness = static_cast<float>(from.roughness);
-        if (mostly(from, "transmission", from.transmission))
+        if (mostly(from, from.words.transmission, from.transmission, "clear", "opaque"))
             return glass_from(from, roughness);
         const Paint paint{texture_from(from), {}};
-        if (mostly(from, "metalness", from.metallic))
+        if (mostly(from, from.words.metallic, from.metallic, "metal", "no metal"))
             return Metal{paint, roughness};
         if (from.coated)
             return Plastic{paint, roughness, ior_of(from)};
@@ -53,17 +53,17 @@ class Maker {
     }
 
     /// A surface is either this or not.
-    bool mostly(const MeshMaterial& from, const char* what, double share) {
+    bool mostly(const MeshMaterial& from, const std::string& what, double share,
+                const std::string& yes, const std::string& no) {
         if (share > 0 && share < 1)
-            note(from, fmt::format("{} {:.3g}", what, share),
-                 fmt::format("taken as {}", share < 0.5 ? 0 : 1));
+            note(from, what, "taken as " + (share < 0.5 ? no : yes));
         return share >= 0.5;
     }
 
     float ior_of(const MeshMaterial& from) {
         const double ior = std::clamp(from.ior, least_ior, largest_ior);
         if (ior != from.ior)
-            note(from, fmt::format("ior {:.3g}", from.ior), fmt::format("taken as {}", ior));
+            note(from, from.words.ior, fmt::format("taken as {}", ior));
         return static_cast<float>(ior);
     }
 

@@ -27,7 +27,8 @@ std::vector<ParamSpec> object_params() {
         shape_material_spec("Its material"),
         {.name = "position",
          .type = ParamType::point3,
-         .doc = "Position of the shape's origin.",
+         .doc = "Where the shape's origin is put: of most meshes their foot, so that y = 0 stands "
+                "them on the ground and y = 1 lifts their lowest point to 1 m.",
          .unit = "m",
          .fallback = WideVec3(0)},
         {.name = "rotation",

@@ -29,7 +29,9 @@ Exported export_scene(Session& session, Scene scene, const SceneFormat& format,
                                "there is no generator to bake; expected a generator.*",
                                ""});
     Exported out{std::move(scene)};
-    ExportOptions options{.pixels = pixels};
+    ExportOptions options{.pixels = pixels, .warn = [&session](const std::string& message) {
+                              session.watcher().say("warning: " + message);
+                          }};
     if (format.holds == Holds::solid) {
         out.solid = make_solid(out.scene.aggregates, solid, session);
         options.solid = &out.solid->mesh;

@@ -2,6 +2,7 @@
 #include "session/make_solid.h"
 
 #include "core/error.h"
+#include "core/text.h"
 
 #include <fmt/format.h>
 
@@ -11,25 +12,21 @@ namespace scree {
 
 namespace {
 
-std::string plural(std::size_t count, const std::string& word) {
-    return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
-}
-
 std::string volume_text(double cubic_metres) {
     return fmt::format("{:.4g} mm3", cubic_metres * 1e9);
 }
 
 std::string describe(const Fabrication& made) {
     std::string out =
-        fmt::format("solid: {} united at {:.4g} mm, {}, {}, {}", plural(made.solids, "component"),
-                    made.resolution * 1000, plural(made.parts.size(), "part"),
-                    plural(made.mesh.triangles.size(), "triangle"),
+        fmt::format("solid: {} united at {:.4g} mm, {}, {}, {}", counted(made.solids, "component"),
+                    made.resolution * 1000, counted(made.parts.size(), "part"),
+                    counted(made.mesh.triangles.size(), "triangle"),
                     volume_text(std::accumulate(made.parts.begin(), made.parts.end(), 0.0,
                                                 [](double sum, const FabricationPart& part) {
                                                     return sum + part.volume;
                                                 })));
     if (made.voids > 0)
-        out += fmt::format(", {} of {} {}", plural(made.voids, "enclosed void"),
+        out += fmt::format(", {} of {} {}", counted(made.voids, "enclosed void"),
                            volume_text(made.void_volume), made.voids_kept ? "kept" : "filled");
     return out;
 }
@@ -52,7 +49,7 @@ void say_removed(const Fabrication& made, Watcher& watcher) {
                             volume_text(rest));
     watcher.say(fmt::format("removed {} not connected with the largest: {}; --parts keep keeps "
                             "them, --bridge joins what is near",
-                            plural(made.removed.size(), "part"), list));
+                            counted(made.removed.size(), "part"), list));
 }
 
 std::string problem_of(const OpenComponent& component) {
@@ -62,10 +59,10 @@ std::string problem_of(const OpenComponent& component) {
         return fmt::format("{} is a picture and has no solid", component.name);
     if (component.facts.boundary_edges > 0)
         return fmt::format("{} is not closed: it has {}", component.name,
-                           plural(component.facts.boundary_edges, "boundary edge"));
+                           counted(component.facts.boundary_edges, "boundary edge"));
     return fmt::format("{} is not the surface of a solid: at {} three or more triangles meet, or "
                        "two that do not agree which side is out",
-                       component.name, plural(component.facts.non_manifold_edges, "edge"));
+                       component.name, counted(component.facts.non_manifold_edges, "edge"));
 }
 
 void check_closed(std::span<const Aggregate> aggregates, bool skip, Watcher& watcher) {
@@ -75,7 +72,7 @@ void check_closed(std::span<const Aggregate> aggregates, bool skip, Watcher& wat
         const std::string path = "generator." + title(aggregate);
         if (skip)
             watcher.say(fmt::format("left out {} of {}: {}",
-                                    plural(component.instances, "instance"), path,
+                                    counted(component.instances, "instance"), path,
                                     problem_of(component)));
         else
             problems.push_back({aggregate.where, path, problem_of(component),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
+#include "core/text.h"
 #include "scenes/reader/scene.h"
 #include "session/show_pictures.h"
 
@@ -17,8 +18,8 @@ std::string describe(const Aggregate& aggregate) {
         if (const Strands* shape = aggregate.prototypes[instance.prototype].strands())
             strands += shape->count();
     std::string out =
-        strands > 0 ? fmt::format("{}: {} strands", title(aggregate), strands)
-                    : fmt::format("{}: {} elements", title(aggregate), aggregate.instances.size());
+        title(aggregate) + ": " +
+        (strands > 0 ? counted(strands, "strand") : counted(aggregate.instances.size(), "element"));
     for (const auto& [name, value] : aggregate.facts) {
         if (name == "fill")
             out += fmt::format(", fill {:.3f}", value);

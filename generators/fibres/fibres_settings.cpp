@@ -3,6 +3,7 @@
 
 #include "core/physical_memory.h"
 #include "geometry/mesh/not_closed.h"
+#include "geometry/mesh/side_normals.h"
 #include "model/file_material.h"
 
 #include <fmt/format.h>
@@ -89,6 +90,36 @@ void read_flow(const Params& params, FibresSettings& settings) {
                               .strength = params.number("flow_strength")};
 }
 
+/// Whether all of a sample of a mesh's vertices lie inside of a closed mesh.
+bool holds(const Mesh& outer, const Mesh& inner) {
+    constexpr std::size_t most = 256; // a winding number asks every triangle
+    const std::size_t step = std::max<std::size_t>(1, inner.positions.size() / most);
+    for (std::size_t i = 0; i < inner.positions.size(); i += step)
+        if (std::abs(winding_number(outer, Imath::V3d(inner.positions[i]))) < 0.5)
+            return false;
+    return true;
+}
+
+/// Refuses a solid around all of the target. Where the solid's surface goes on inside of the
+/// target, there may be a hollow for the fibres.
+void check_container(const Params& params, const FibresSettings& settings) {
+    if (!settings.container)
+        return;
+    const Mesh& container = *settings.container;
+    if (container.triangles.empty())
+        throw params.error("container", "the mesh is empty");
+    if (!settings.contact || !settings.target || !inspect(container).closed() ||
+        !holds(container, *settings.target))
+        return;
+    const Box3 box = bounds(*settings.target);
+    const bool hollow =
+        std::ranges::any_of(container.positions, [&](const Vec3& p) { return box.intersects(p); });
+    if (!hollow)
+        throw params.error("container",
+                           "is a solid with all of the target inside, where fibres have no room",
+                           "expected a vessel around the target, such as a bowl or an open mesh");
+}
+
 void read_contact(const Params& params, FibresSettings& settings) {
     settings.contact = params.flag("contact");
     settings.gravity = params.flag("gravity");
@@ -99,8 +130,7 @@ void read_contact(const Params& params, FibresSettings& settings) {
                                  .max_iterations =
                                      static_cast<int>(params.integer("max_iterations"))};
     settings.container = placed_mesh(params, "container", "container_position");
-    if (settings.container && settings.container->triangles.empty())
-        throw params.error("container", "the mesh is empty");
+    check_container(params, settings);
     if (params.has("floor"))
         settings.floor = params.number("floor");
     if (settings.floor && settings.target) {

@@ -130,6 +130,7 @@ void compute_normals(Mesh& mesh, double crease, NormalWeight weight) {
     out.triangles = mesh.triangles;
     out.parts = mesh.parts;
     out.materials = mesh.materials;
+    out.unit_unknown = mesh.unit_unknown;
     // A corner's normal sums the faces round its vertex that turn away less than the crease;
     // corners of one vertex with equal normals stay one vertex.
     std::map<std::uint32_t, std::vector<std::uint32_t>> made; // old vertex -> new vertices

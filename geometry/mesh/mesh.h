@@ -29,6 +29,7 @@ struct Mesh {
     std::vector<std::uint16_t> parts{}; // of each triangle the number of its part; empty: all are 0
     // Of the parts, as the mesh's file describes them; null: the mesh is from no file.
     std::shared_ptr<const MeshMaterials> materials{};
+    bool unit_unknown = false; // from a file whose numbers are taken as metres unasked
 };
 
 Box3 bounds(const Mesh& mesh);

@@ -33,6 +33,14 @@ struct MeshMaterial {
     double transmission = 0;            // the share of light that passes through, from 0 to 1
     Color absorption{0.0F, 0.0F, 0.0F}; // of the inside where light passes through [1/m]
     bool coated = false;                // reflects at its surface, unless metal
+
+    /// How the file says some of these, for messages: "d 0.75" is a transmission of 0.25.
+    struct Words {
+        std::string metallic{};
+        std::string ior{};
+        std::string transmission{};
+    };
+    Words words{};
 };
 
 /// The materials of a mesh.

@@ -28,6 +28,7 @@ struct Strands {
     // gives every point a frame.
     std::vector<Vec3> normals;
     CurveKind kind = CurveKind::linear;
+    bool unit_unknown = false; // from a file whose numbers are taken as metres unasked
 
     std::size_t count() const { return offsets.empty() ? 0 : offsets.size() - 1; }
 

@@ -42,7 +42,9 @@ std::vector<ParamSpec> solid_specs(std::vector<ParamSpec> specs) {
          .max = 1e4},
         {.name = "axis",
          .type = ParamType::vector3,
-         .doc = "Normal of the layers of stone, or direction of the trunk, in the object's frame.",
+         .doc =
+             "Normal of the layers of stone, or direction of the trunk, along which the grain of "
+             "wood runs, in the object's frame: {1, 0, 0} for boards along x.",
          .fallback = Vec3(0, 1, 0)},
         {.name = "origin",
          .type = ParamType::vector3,

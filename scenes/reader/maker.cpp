@@ -3,6 +3,8 @@
 
 #include "core/file.h"
 #include "core/located.h"
+#include "geometry/mesh/mesh.h"
+#include "geometry/mesh/strands.h"
 #include "geometry/plane/field.h"
 #include "scenes/reader/words.h"
 
@@ -44,6 +46,18 @@ std::string title_of(const Description& node) {
     return name == nullptr ? node.kind : fmt::format("{} \"{}\"", node.kind, *name);
 }
 
+// What is longer is more likely to be in millimetres than in metres.
+constexpr float suspicious_length = 10; // [m]
+
+Box3 box_of(const Mesh& mesh) { return bounds(mesh); }
+
+Box3 box_of(const Strands& strands) {
+    Box3 box;
+    for (const Vec3& p : strands.points)
+        box.extendBy(p);
+    return box;
+}
+
 } // namespace
 
 Params Maker::params(const Description& table, const std::string& path,
@@ -51,7 +65,33 @@ Params Maker::params(const Description& table, const std::string& path,
     open_.push_back({path, specs, family});
     Params out = fields(table, path, specs);
     open_.pop_back();
+    doubt_lengths(out, specs);
     return out;
+}
+
+// Here, where an object's scale is known, rather than where the file is read.
+void Maker::doubt_lengths(const Params& given, const std::vector<ParamSpec>& specs) {
+    Vec3 scale(1.0F);
+    for (const ParamSpec& spec : specs)
+        if (spec.name == "scale" && spec.type == ParamType::vector3 && given.has("scale"))
+            scale = given.vector3("scale");
+    const auto doubt = [&](const std::string& name, const auto& shape) {
+        if (shape == nullptr || !shape->unit_unknown)
+            return;
+        const Vec3 size = box_of(*shape).size() * scale;
+        const float length = std::max({size.x, size.y, size.z});
+        if (length > suspicious_length && doubted_.insert(shape.get()).second)
+            given.warn(name,
+                       fmt::format("{} is {:.4g} m long, its numbers taken as metres", shape->name,
+                                   length),
+                       "if the file is in millimetres, say unit = \"mm\"; unit = \"m\" if in "
+                       "metres");
+    };
+    for (const ParamSpec& spec : specs)
+        if (spec.type == ParamType::object) {
+            doubt(spec.name, given.object<Mesh>(spec.name));
+            doubt(spec.name, given.object<Strands>(spec.name));
+        }
 }
 
 Params Maker::fields(const Description& table, const std::string& path,

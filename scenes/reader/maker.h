@@ -6,6 +6,7 @@
 #include "scenes/reader/check_value.h"
 #include "scenes/reader/field_hint.h"
 
+#include <set>
 #include <unordered_map>
 
 namespace scree {
@@ -28,6 +29,7 @@ class Maker {
   private:
     Params fields(const Description& table, const std::string& path,
                   const std::vector<ParamSpec>& specs);
+    void doubt_lengths(const Params& given, const std::vector<ParamSpec>& specs);
     Value value(const Given& given, const ParamSpec& spec);
     Value object(const Given& given, const ParamSpec& spec);
     Value field(const Given& given, const ParamSpec& spec);
@@ -47,6 +49,7 @@ class Maker {
     std::vector<OpenTable> open_; // outermost first
     std::unordered_map<const Description*, SharedObject> made_;
     std::unordered_map<std::string, SharedObject> equal_; // by what the nodes say
+    std::set<const void*> doubted_;                       // shapes that were warned of
 };
 
 } // namespace scree

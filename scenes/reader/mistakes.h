@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/params.h"
+#include "core/text.h"
 
 #include <algorithm>
 #include <tuple>
@@ -49,7 +50,7 @@ class Mistakes {
             diagnostics_.resize(most);
             diagnostics_.push_back({{diagnostics_.back().where.file, 0},
                                     {},
-                                    "and " + std::to_string(more) + " more mistakes",
+                                    "and " + counted(more, "more mistake"),
                                     {}});
         }
         throw Error(Fault::input, std::move(diagnostics_));

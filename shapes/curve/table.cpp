@@ -3,6 +3,7 @@
 #include "shapes/table.h"
 #include "core/frame.h"
 #include "core/random.h"
+#include "core/text.h"
 #include "geometry/mesh/strand_spline.h"
 
 #include <fmt/format.h>
@@ -24,9 +25,10 @@ Given given_strand(const Params& params) {
             throw params.error("points", fmt::format("points {} and {} are the same", i, i + 1));
     const std::vector<double>& radii = params.numbers("radius");
     if (radii.size() != 1 && radii.size() != out.points.size())
-        throw params.error(
-            "radius", fmt::format("has {} numbers for {} points", radii.size(), out.points.size()),
-            "one number for all points, or one for each");
+        throw params.error("radius",
+                           fmt::format("has {} for {}", counted(radii.size(), "number"),
+                                       counted(out.points.size(), "point")),
+                           "one number for all points, or one for each");
     for (std::size_t i = 0; i < out.points.size(); ++i)
         out.radii.push_back(static_cast<float>(radii[radii.size() == 1 ? 0 : i]));
     return out;

@@ -22,6 +22,7 @@ Plugin<MakeMesh> component(std::string name, std::string doc, std::vector<ParamS
         lay_down(mesh);
         return mesh;
     };
+    doc += " Its origin is its foot, below its middle.";
     return {std::move(name), std::move(doc), std::move(params), std::move(make)};
 }
 

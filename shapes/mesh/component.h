@@ -7,8 +7,8 @@
 namespace scree {
 
 /// A component plug-in. `shape` may build its mesh anywhere: the mesh is translated so that its
-/// bounding box is centred on the y axis and its lowest point lies at y = 0, and is named after the
-/// component.
+/// bounding box is centred on the y axis and its lowest point lies at y = 0, as is added to `doc`,
+/// and is named after the component.
 Plugin<MakeMesh> component(std::string name, std::string doc, std::vector<ParamSpec> params,
                            std::function<MakeMesh> shape);
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace scree {
 
@@ -72,37 +73,106 @@ Ring outline_of(const std::vector<CurvePiece>& pieces) {
     return ring;
 }
 
-// A point near which a ring that is not a simple polygon meets itself; its first point when none is
-// found.
-Vec2 self_contact(const Ring& ring) {
+// Where two edges of a ring meet that should not; edges are called by their first points.
+struct Contact {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    Vec2 at;
+};
+
+// Where the lines through two edges cross; a point of the second when they are parallel.
+Vec2 crossing(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
+    const double turn = cross(b - a, q - p);
+    return turn == 0 ? p : a + (b - a) * (cross(p - a, q - p) / turn);
+}
+
+// Finds where a ring that is not a simple polygon meets itself, up to rounding.
+std::optional<Contact> self_contact(const Ring& ring) {
     const std::size_t n = ring.size();
     const auto parts = [&](const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
         return cross(b - a, p - a) * cross(b - a, q - a) <= 0;
     };
-    for (std::size_t i = 0; i < n; ++i)
+    const auto box = [](const Vec2& a, const Vec2& b) {
+        Box2 out(a);
+        out.extendBy(b);
+        return out;
+    };
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec2 &a = ring[i], &b = ring[(i + 1) % n];
+        const Vec2 next = ring[(i + 2) % n] - b;
+        if (cross(b - a, next) == 0 && (b - a).dot(next) < 0)
+            return Contact{i, (i + 1) % n, b};
         for (std::size_t j = i + 2; j < n && j < i + n - 1; ++j) {
-            const Vec2 &a = ring[i], &b = ring[i + 1], &p = ring[j], &q = ring[(j + 1) % n];
-            if (parts(a, b, p, q) && parts(p, q, a, b))
-                return a;
+            const Vec2 &p = ring[j], &q = ring[(j + 1) % n];
+            if (parts(a, b, p, q) && parts(p, q, a, b) && box(a, b).intersects(box(p, q)))
+                return Contact{i, j, crossing(a, b, p, q)};
         }
-    return ring.front();
+    }
+    return {};
 }
 
-void check_curve(const Params& params, const Ring& ring, std::size_t segments) {
+// Tells the edges of the outline by the points of the profile.
+class Parts {
+  public:
+    Parts(const Ring& ring, const std::vector<Vec2>& points, bool closed)
+        : numbers_(ring.size()), count_(points.size()), closed_(closed) {
+        // The outline of a closed profile may begin at a later point, that of an open one on the
+        // axis.
+        const auto begin = std::ranges::find(points, ring.front());
+        std::size_t at = closed && begin != points.end() ? std::size_t(begin - points.begin()) : 0;
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            if (ring[i] == points[at % count_]) {
+                numbers_[i] = at % count_ + 1;
+                while (at < 2 * count_ && points[at % count_] == ring[i])
+                    ++at;
+            }
+    }
+
+    // "from point 2 to 3"
+    std::string text(std::size_t edge) const {
+        const std::size_t n = numbers_.size();
+        std::size_t from = edge;
+        while (numbers_[from] == 0 && (from > 0 || closed_))
+            from = (from + n - 1) % n;
+        std::size_t to = edge + 1;
+        while (to < (closed_ ? 2 * n : n) && numbers_[to % n] == 0)
+            ++to;
+        if (!closed_ && edge + 1 == n)
+            return "on the axis";
+        if (!closed_ && numbers_[from] == 0)
+            return "in the disc at point 1";
+        if (!closed_ && to == n)
+            return fmt::format("in the disc at point {}", count_);
+        return fmt::format("from point {} to {}", numbers_[from], numbers_[to % n]);
+    }
+
+  private:
+    std::vector<std::size_t> numbers_; // of the profile's points in the ring; 0: between them
+    std::size_t count_;
+    bool closed_;
+};
+
+void check_curve(const Params& params, const Ring& ring, const std::vector<Vec2>& points) {
+    const auto segments = static_cast<std::size_t>(params.integer("segments"));
     if (2 * ring.size() * segments > max_triangles)
         throw params.error("profile",
                            fmt::format("gives a mesh of {} triangles; at most {} are made",
                                        2 * ring.size() * segments, max_triangles),
                            "fewer steps or segments help");
-    for (std::size_t i = 0; i < ring.size(); ++i)
-        if (ring[i].x < 0)
-            throw params.error("profile", "the curve swings over the axis near " + text_of(ring[i]),
+    for (const Vec2& p : ring)
+        if (p.x < 0)
+            throw params.error("profile", "the curve swings over the axis near " + text_of(p),
                                "a point written twice is a corner, before which it swings less");
     try {
         triangulate({ring});
     } catch (const Error&) {
-        throw params.error("profile", "the curve crosses or touches itself near " +
-                                          text_of(self_contact(ring)));
+        std::string where;
+        if (const auto contact = self_contact(ring)) {
+            const Parts parts(ring, points, params.flag("closed"));
+            where = fmt::format(" near {}: {} and {}", text_of(contact->at),
+                                parts.text(contact->first), parts.text(contact->second));
+        }
+        throw params.error("profile", "the curve crosses or touches itself" + where);
     }
 }
 
@@ -157,7 +227,7 @@ Mesh lathe(const Params& params) {
         add_discs(pieces);
     const auto segments = static_cast<int>(params.integer("segments"));
     const Ring ring = outline_of(pieces);
-    check_curve(params, ring, static_cast<std::size_t>(segments));
+    check_curve(params, ring, points);
     if (signed_area(ring) < 0)
         reverse_curve(pieces);
 

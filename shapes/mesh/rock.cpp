@@ -33,8 +33,11 @@ Plugin<MakeMesh> rock_component() {
                      .doc = "Another seed, another rock.",
                      .fallback = std::int64_t{0},
                      .min = 0.0});
-    return component("rock", "A rock, its longest axis along x and its shortest upright.",
-                     std::move(specs), rock);
+    return component(
+        "rock",
+        "A rock, its longest axis along x and its shortest upright. It does not rest: a "
+        "plane at its foot touches it at one point; generator.rocks lays rocks down.",
+        std::move(specs), rock);
 }
 
 } // namespace scree

@@ -98,6 +98,62 @@ TEST_F(OptionsCli, WithoutLightThereIsNoPicture) {
     EXPECT_EQ(run("check named.lua").err, "");
 }
 
+TEST_F(OptionsCli, DrawingsWarnOfProceduralsTheyDoNotShow) {
+    write_file(path("striped.lua"),
+               "local stripes = material.matte { color = procedural.checker {} }\n"
+               "local function tile(name, paint)\n"
+               "  return generator.layout { name = name,\n"
+               "    domain = region.rectangle { width = 0.4, depth = 0.4 },\n"
+               "    components = { { shape = mesh.star {}, material = paint },\n"
+               "                   { shape = mesh.heart {}, material = paint },\n"
+               "                   { shape = mesh.box {}, material = material.matte {} } } }\nend\n"
+               "return scene { objects = { tile('plain'), tile('striped', stripes) } }\n");
+    for (const char* file : {"a.svg", "a.png", "a.exr"}) {
+        const Outcome outcome = run(std::string("bake striped.lua -o ") + file);
+        EXPECT_EQ(outcome.code, 0);
+        const std::size_t at = outcome.err.find("warning: ");
+        ASSERT_NE(at, std::string::npos) << file << outcome.err;
+        EXPECT_EQ(outcome.err.substr(at, outcome.err.find('\n', at) - at),
+                  "warning: striped.lua:3: generator.layout \"striped\": a drawing has one flat "
+                  "colour for each component: the procedural of star, heart is not shown");
+        EXPECT_EQ(outcome.err.find("warning: ", at + 1), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(run("bake striped.lua -o a.json").err.find("warning: "), std::string::npos);
+}
+
+TEST_F(OptionsCli, TheSizeOfADrawingIsThatOfItsLongerSide) {
+    for (const std::string size : {"300x300", "3", "big", "300.5"}) {
+        const Outcome outcome = run("bake named.lua -o a.png --size " + size);
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.err,
+                  "scree bake: --size: expected one number of pixels from 16 to 32768, for the "
+                  "longer side of the .png or .exr, whose form is that of the layout; got " +
+                      size + "\n  see scree bake --help\n");
+    }
+}
+
+TEST_F(OptionsCli, ADrawingOfNothingNamesItsFile) {
+    write_file(path("wool.lua"),
+               "return scene { objects = { generator.fibres { count = 8, contact = false,\n"
+               "  target = mesh.sphere { radius = 0.05 } } } }\n");
+    for (const std::string file : {"a.svg", "a.png", "a.exr"}) {
+        const Outcome outcome = run("bake wool.lua -o " + file);
+        EXPECT_EQ(outcome.code, 1);
+        EXPECT_NE(outcome.err.find(file + ": there is nothing to see from above: no generator has "
+                                          "a domain, regions or pictures\n"),
+                  std::string::npos)
+            << outcome.err;
+    }
+}
+
+TEST_F(OptionsCli, OneOfAThingIsNotSeveral) {
+    write_file(path("one.lua"), "return scene { lights = { light.sky {} },\n"
+                                "  camera = camera.perspective { from = {0, 1, 2} },\n"
+                                "  objects = { object { shape = mesh.sphere {} } } }\n");
+    EXPECT_EQ(run("check one.lua").out,
+              "one.lua: no mistakes: 0 generators, 1 object, 1 light, 1280 x 720 pixels\n");
+}
+
 TEST_F(OptionsCli, AnOptionIsNotTakenForAFile) {
     for (const std::string command : {"render", "bake", "height", "texture"}) {
         const Outcome outcome = run(command + " named.lua --stats -o a.exr");

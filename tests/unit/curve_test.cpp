@@ -160,14 +160,39 @@ TEST_F(CurveFile, StrandsOfABakedFile) {
     EXPECT_EQ(strands.radii[1], 0.2F);
 }
 
+TEST_F(CurveFile, ArePlacedAsMeshesAre) {
+    const std::string line = "v 9 9 9\nv 100 200 0\nv 300 200 1000\nl 2 3\n"; // v 9 9 9 is unused
+    const std::map<std::string, Value> millimetres{{"unit", std::string("mm")}};
+    const Strands scaled = read("a.obj", line, millimetres);
+    EXPECT_EQ(scaled.points[1], Vec3(0.3F, 0.2F, 1));
+    EXPECT_EQ(scaled.radii[1], 0.001F);
+    const Strands turned = read("a.obj", line, {{"up", std::string("z")}, {"size", 2.0}});
+    EXPECT_EQ(turned.points[0], Vec3(-0.2F, 0, 0));
+    EXPECT_EQ(turned.points[1], Vec3(0.2F, 2, 0));
+    EXPECT_EQ(turned.radii[1], 0.001F);
+
+    const std::string baked =
+        R"({"aggregates": [{"generator": "fibres", "prototypes": [{"name": "hair"}],
+        "strands": [{"points": [[1,1,0],[5,1,0]], "radius": [0.5, 0.5]}]}]})";
+    const Strands half = read("b.json", baked, {{"size", 2.0}});
+    EXPECT_EQ(half.points[0], Vec3(-1, 0, 0));
+    EXPECT_EQ(half.points[1], Vec3(1, 0, 0));
+    EXPECT_EQ(half.radii[0], 0.25F);
+    EXPECT_NE(tests::error_of([&] {
+                  read("b.json", baked, millimetres);
+              }).find("curve.file.unit: a baked scene is in metres"),
+              std::string::npos);
+}
+
 TEST_F(CurveFile, Errors) {
     EXPECT_EQ(error("a.obj", corners), "a.obj: it has no lines (l)");
     EXPECT_EQ(error("a.obj", corners + "l 1 9\n"), "a.obj: line 7: a line names vertex 9 of 6");
     EXPECT_EQ(error("a.obj", corners + "l 1\n"),
-              "a.obj: line 7: a line has 1 corners; expected at least 2");
+              "a.obj: line 7: a line has 1 corner; expected at least 2");
     EXPECT_EQ(error("a.obj", corners + "l 1 x\n"),
               "a.obj: line 7: \"x\" is not a corner of a line; expected whole numbers");
     EXPECT_EQ(error("a.json", "{\"aggregates\": []}"), "a.json: it has no strands");
+    EXPECT_EQ(error("a.json", "{\n\n\"aggregates\": [,"), "a.json: line 3: is not JSON");
     EXPECT_EQ(error("a.json", "{\"aggregates\": [{}]}"),
               "a.json: aggregates[0].generator is missing");
     EXPECT_EQ(error("a.abc", ""), "a.abc: is not a file of curves; expected .obj or .json");

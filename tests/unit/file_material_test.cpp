@@ -270,7 +270,7 @@ TEST(FileMaterial, WhatIsNotHonouredIsNamed) {
         {{{"name", "a"}, {"extensions", {{"KHR_materials_sheen", Json::object()}}}},
          "KHR_materials_sheen of a"},
         {{{"name", "a"}, {"pbrMetallicRoughness", {{"metallicFactor", 0.25}}}},
-         "metalness 0.25 of a (taken as 0)"},
+         "metallicFactor 0.25 of a (taken as no metal)"},
         {{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1.5}}}},
          "roughnessFactor 1.5 of materials[1]"},
         {{{"name", "a"},

@@ -215,7 +215,7 @@ TEST(Gltf, DefaultMorphWeights) {
         {{0.5, 0}, nullptr, 1, ""},
         {{0.5, 0.25}, nullptr, 2, ""},
         {{0.5, 0.25}, {0, 1}, 4, ""},
-        {{1}, nullptr, 0, "meshes[0].primitives[0] has 2 morph targets, but 1 weights"},
+        {{1}, nullptr, 0, "meshes[0].primitives[0] has 2 morph targets, but 1 weight"},
         {{1, 2, 3}, nullptr, 0, "meshes[0].primitives[0] has 2 morph targets, but 3 weights"},
     };
     for (const Case& c : cases) {

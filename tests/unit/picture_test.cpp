@@ -77,7 +77,9 @@ TEST(Picture, MistakesNameTheFile) {
     write_png(folder.file("whole.png"), Image(64, 64, {"R", "G", "B"}));
     const std::string bytes = read_file(folder.file("whole.png"));
     const std::string cut = folder.write("cut.png", bytes.substr(0, bytes.size() / 2));
+    testing::internal::CaptureStderr();
     EXPECT_EQ(message(cut).find(cut + ": is not a valid image"), 0U) << message(cut);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "libpng prints nothing of its own";
 
     // A header of 200,000 x 200,000 pixels with a valid checksum.
     std::string huge = bytes;

@@ -96,7 +96,7 @@ TEST(PlyFile, WhatIsNotReadIsNamed) {
          "not read: 2 rows of element \"edge\""},
         {ascii(4, xyz, "element tags 1\nproperty list uchar uchar t\n" + faces(1),
                square + "3 7 7 7\n4 0 1 2 3\n"),
-         "not read: 1 rows of element \"tags\""},
+         "not read: 1 row of element \"tags\""},
     };
     for (const auto& [text, warning] : rows) {
         EXPECT_EQ(file_facts("a.ply", text), "2 triangles; " + warning);
@@ -104,7 +104,7 @@ TEST(PlyFile, WhatIsNotReadIsNamed) {
     }
     EXPECT_EQ(
         file_problem("a.ply", ascii(4, xyz, "element edge 1\nproperty int a\n", square + "0\n")),
-        "a.ply: it has no triangles; not read: 1 rows of element \"edge\"");
+        "a.ply: it has no triangles; not read: 1 row of element \"edge\"");
     EXPECT_EQ(file_facts("a.ply", ascii(4, xyz, faces(1), square + "4 0 2 1 3\n")),
               "1 triangles; 1 of its faces cross themselves, the first in line 14");
 }
@@ -126,7 +126,7 @@ TEST(PlyFile, Refused) {
     const std::vector<std::pair<std::string, std::string>> rows{
         {rows_of(square + "4 0 1 2 3\n4 0 1 2 3\n"),
          "line 15: it goes on after the rows that its header counts"},
-        {rows_of(square), "line 13: the file ends too early: its header counts 1 rows of face"},
+        {rows_of(square), "line 13: the file ends too early: its header counts 1 row of face"},
         {rows_of("0 0 0\n1 0 0\n"),
          "line 11: the file ends too early: its header counts 4 rows of vertex"},
         {rows_of("0 0 0 7\n"),

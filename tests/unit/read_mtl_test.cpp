@@ -95,7 +95,12 @@ TEST_F(ReadMtl, WhatIsNotReadIsNamed) {
         {"illum 5\n", {"illum 5 of a"}},
         {"Tf 1 0.5 1\n", {"Tf of a"}},
         {"d -halo 1\n", {"d -halo of a"}},
-        {"Kd 2 0 0\n", {"Kd 2 of a"}},
+        {"Kd 2 0 0\n", {"Kd 2 0 0 of a"}},
+        {"Kd  2 2 3  # bright\n", {"Kd 2 2 3 of a"}}, // once
+        {"Kd 2\n", {"Kd 2 of a"}},
+        {"Tr 1.5\n", {"Tr 1.5 of a"}},
+        {"Ks 0.5 0.5 0.5\n", {}},
+        {"Ks 0.5 0.5 0.25\n", {"the colour of Ks of a"}},
         {"map_Kd -mm 0 2 wood.png\n", {"option -mm of map_Kd of a"}},
     };
     for (const Case& c : cases)

@@ -78,7 +78,10 @@ TEST(StlFile, TextsThatAreRefusedOrTold) {
         {replaced(tile(), "vertex 1 0 1", "vertex 1 0 1,5"),
          "line 13: \"1,5\" is not a number; expected a decimal point, and no commas between "
          "thousands"},
-        {replaced(tile(), "vertex 1 0 1", "vertex 1 0"), "line 14: \"endloop\" is not a number"},
+        {replaced(tile(), "vertex 1 0 1", "vertex 1 0"),
+         "line 13: vertex has 2 numbers; expected 3"},
+        {replaced(tile(), "vertex 1 0 1", "vertex 1\n0"),
+         "line 13: vertex has 2 numbers; expected 3"},
         {replaced(tile(), "vertex 1 0 1", "vertex 1 0 nan"), "line 13: \"nan\" is not a number"},
         {replaced(tile(), "vertex 1 0 1", "vertx 1 0 1"),
          "line 13: \"vertx\" is not expected here; expected vertex or endloop"},
@@ -116,7 +119,7 @@ TEST(StlFile, BinaryCountsAgreeWithTheSize) {
                   "for 6")
             << title;
         EXPECT_EQ(file_facts("a.stl", whole + std::string(3, '\0')),
-                  "4 triangles; its last 3 bytes are not read")
+                  "4 triangles; not read: 3 bytes at its end")
             << title;
     }
     EXPECT_EQ(file_problem("a.stl", std::string(6, '\1')),

@@ -71,8 +71,8 @@ double NumberScanner::number() {
     if (code == std::errc::result_out_of_range && is_tiny(written))
         return 0;
     if (code != std::errc{} || std::abs(value) > largest)
-        throw Error(fmt::format("{} is too large: numbers go to {:g}",
-                                written.size() <= 30 ? written : written.substr(0, 30), largest));
+        throw Error(fmt::format("{:.30} at letter {} is too large: numbers go to {:g}", written,
+                                begin + 1, largest));
     return value;
 }
 

@@ -14,6 +14,8 @@ return scene {
     object { shape = curve.file { path = "parts/triangle.obj" } },
     object { shape = curve.file { path = "parts/missing.obj" } },
     object { shape = curve.file { path = "parts/picture.bmp" } },
+    object { shape = curve.file { path = "parts/broken.json" } },
+    object { shape = curve.file { path = "parts/strand.json" } },
     object { shape = curve.polyline { points = line }, material = "file" },
     generator.layout { components = { { shape = curve.polyline { points = line } } } },
   },
