@@ -128,8 +128,8 @@ TEST(SvgPath, MistakesAreNamed) {
     EXPECT_EQ(message("M1 1 X2 2"), "expected a command at letter 6, found \"X2 2\"");
     EXPECT_EQ(message("M nan 0"), "expected a number at letter 3, found \"nan 0\"");
     EXPECT_EQ(message("M inf 0"), "expected a number at letter 3, found \"inf 0\"");
-    EXPECT_EQ(message("M1e400 0"), "1e400 is too large: numbers go to 1e+09");
-    EXPECT_EQ(message("M2e9 0"), "2e9 is too large: numbers go to 1e+09");
+    EXPECT_EQ(message("M1e400 0"), "1e400 at letter 2 is too large: numbers go to 1e+09");
+    EXPECT_EQ(message("M2e9 0"), "2e9 at letter 2 is too large: numbers go to 1e+09");
     EXPECT_EQ(message("M0 0A1 1 0 2 0 1 1"),
               "expected the flag 0 or 1 at letter 12, found \"2 0 1 1\"");
     EXPECT_EQ(message("M0 0L1,,1"), "expected a number at letter 8, found \",1\"");
