@@ -48,6 +48,7 @@ Ring to_pixels(const Ring& ring, const Vec2& origin, const Vec2& corner, double 
 std::vector<Ring> to_pixels(const std::vector<Ring>& rings, const Vec2& origin, const Vec2& corner,
                             double scale) {
     std::vector<Ring> out;
+    out.reserve(rings.size());
     for (const Ring& ring : rings)
         out.push_back(to_pixels(ring, origin, corner, scale));
     return out;

@@ -21,6 +21,7 @@ const std::array<FileUnit, 5> file_units{
 
 std::vector<std::string> unit_names() {
     std::vector<std::string> names;
+    names.reserve(file_units.size());
     for (const FileUnit& unit : file_units)
         names.push_back(unit.name);
     return names;

@@ -18,7 +18,7 @@ FileMesh read_located(const Params& params) {
     try {
         FileMesh mesh = read_file_mesh(path);
         for (const std::string& warning : mesh.warnings)
-            params.warn("path", path + ": " + warning);
+            params.warn("path", fmt::format("{}: {}", path, warning));
         return mesh;
     } catch (const Error& problem) {
         throw params.error("path", problem.diagnostics().front().message,
@@ -38,7 +38,7 @@ FilePlacement place(FileMesh& mesh, const Params& params) {
     Imath::Box3d box;
     for (const Imath::V3d& p : mesh.positions)
         box.extendBy(p);
-    const FilePlacement placement(params, box, why_metres(params.text("path")));
+    FilePlacement placement(params, box, why_metres(params.text("path")));
     for (Imath::V3d& p : mesh.positions)
         p = placement(p);
     for (Vec3& n : mesh.normals)

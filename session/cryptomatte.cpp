@@ -164,6 +164,7 @@ Cryptomatte make_cryptomatte(std::string_view layer, const Film& film,
                                                ? instance_names(aggregates)
                                                : object_names(aggregates);
     std::vector<std::uint32_t> ids;
+    ids.reserve(names.size());
     for (const std::string& name : names)
         ids.push_back(cryptomatte_id(name));
     const std::vector<std::uint32_t> object_of = layer == cryptomatte_layers[0]

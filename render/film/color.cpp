@@ -94,7 +94,7 @@ OCIO::ConstConfigRcPtr current_config() {
         return own;
     }
     try {
-        const OCIO::ConstConfigRcPtr config = OCIO::Config::CreateFromFile(path);
+        OCIO::ConstConfigRcPtr config = OCIO::Config::CreateFromFile(path);
         config->validate();
         return config;
     } catch (const OCIO::Exception& failure) {

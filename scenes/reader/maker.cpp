@@ -107,8 +107,8 @@ Params Maker::fields(const Description& table, const std::string& path,
     const Table& fields = fields_of(table);
     for (const auto& [name, item] : fields)
         if (std::ranges::find(specs, name, &ParamSpec::name) == specs.end())
-            mistakes_.add({table.where.file, item.line}, path + "." + name, "unknown field",
-                          field_hint(name, open_));
+            mistakes_.add({table.where.file, item.line}, fmt::format("{}.{}", path, name),
+                          "unknown field", field_hint(name, open_));
     for (const ParamSpec& spec : specs) {
         const auto field = fields.find(spec.name);
         if (field == fields.end()) {
@@ -252,7 +252,7 @@ Value Maker::field(const Given& given, const ParamSpec& spec) {
     const std::string_view name = family_of(given.value);
     if (name != "field")
         return check_value(given, spec, mistakes_);
-    const Value value = made(given, *catalog_.find(name));
+    Value value = made(given, *catalog_.find(name));
     if (const auto* object = std::get_if<SharedObject>(&value)) {
         const auto field = object->as<Field>();
         // Angles are periodic and need no check; other values must be in range everywhere.
