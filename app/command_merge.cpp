@@ -23,8 +23,7 @@ int merge(const MergeOptions& options) {
     const MergedShards merged = merge_shards(options.shards);
     write_exr(options.output, merged.picture.parts, merged.picture.metadata, merged.picture.numbers,
               merged.picture.window);
-    write_look(beside(options.output, "png"), merged.picture.parts.front().image,
-               {merged.view, merged.exposure, merged.depth});
+    write_look(beside(options.output, "png"), merged.picture.parts.front().image, merged.look);
     fmt::print(stderr, "wrote {} and {}\n", options.output, beside(options.output, "png"));
     return 0;
 }

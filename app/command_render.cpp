@@ -23,9 +23,15 @@ namespace scree {
 
 namespace {
 
-const std::array<std::string, 9> aov_names{
-    "albedo",         "N", "Z", "P", "instance", "variance", "crypto_object", "crypto_instance",
-    "crypto_material"};
+const std::array<std::string, 9> aov_names{"albedo",
+                                           "N",
+                                           "Z",
+                                           "P",
+                                           "instance",
+                                           "variance",
+                                           std::string(cryptomatte_layers[0]),
+                                           std::string(cryptomatte_layers[1]),
+                                           std::string(cryptomatte_layers[2])};
 
 struct RenderCommand {
     SceneOptions scene;
@@ -108,6 +114,10 @@ Metadata metadata_of(const Scene& scene, const RenderCommand& command) {
     return metadata;
 }
 
+PngLook look_of(const RenderCommand& command, const FilmSettings& film) {
+    return {command.look.view, film.exposure, command.look.depth};
+}
+
 // The beauty, the light groups, and what --aov asks for; cryptomattes add to the metadata.
 std::vector<ImagePart> parts_of(const Rendered& rendered, const Scene& scene,
                                 const RenderCommand& command, Metadata& metadata) {
@@ -134,13 +144,13 @@ void write_pictures(const std::string& output, const Rendered& rendered,
                     const RenderCommand& command) {
     const RenderResult& result = rendered.result;
     const FilmSettings& film = scene.film;
-    const PngLook look{command.look.view, film.exposure, command.look.depth};
+    const PngLook look = look_of(command, film);
     Metadata metadata = metadata_of(scene, command);
     metadata.push_back(samples_metadata(result.stats.samples_per_pixel));
     if (!command.shard.empty())
-        std::ranges::copy(shard_metadata({options.shard, result.stats.samples, result.cancelled,
-                                          look.view, look.exposure, look.depth}),
-                          std::back_inserter(metadata));
+        std::ranges::copy(
+            shard_metadata({options.shard, result.stats.samples, result.cancelled, look}),
+            std::back_inserter(metadata));
     std::vector<ImagePart> parts = parts_of(rendered, scene, command, metadata);
     std::optional<PictureWindow> window;
     if (options.crop)
@@ -158,9 +168,8 @@ RenderOptions options_of(const RenderCommand& command, const Scene& scene) {
     options.noise = command.noise;
     options.seed = command.seed;
     options.shard = shard_of(command);
-    options.mattes = std::ranges::any_of(command.aovs, [](const std::string& name) {
-        return std::ranges::find(cryptomatte_layers, name) != cryptomatte_layers.end();
-    });
+    options.mattes =
+        std::ranges::find_first_of(command.aovs, cryptomatte_layers) != command.aovs.end();
     if (!command.crop.empty())
         options.crop = parse_crop(command.crop, scene.film);
     return options;
@@ -173,11 +182,8 @@ RenderCare care_of(const RenderCommand& command, const std::string& output,
     care.resume = command.resume;
     if (command.preview) {
         care.preview_every = preview_every;
-        const PngLook look{command.look.view, film.exposure, command.look.depth};
-        care.preview = [=, &console](const Film& so_far) {
-            const Image shown = to_display(so_far.beauty(), look.view, look.exposure);
-            write_png(beside(output, "png"), shown, {}, look.depth);
-            console.picture(shown);
+        care.preview = [=, look = look_of(command, film), &console](const Film& so_far) {
+            console.picture(write_look(beside(output, "png"), so_far.beauty(), look));
         };
     }
     return care;

@@ -17,8 +17,10 @@ void add_png_bits_option(CLI::App& command, PngDepth& depth) {
         ->type_name("BITS");
 }
 
-void write_look(const std::string& png, const Image& image, const PngLook& look) {
-    write_png(png, to_display(image, look.view, look.exposure), {}, look.depth);
+Image write_look(const std::string& png, const Image& image, const PngLook& look) {
+    Image shown = to_display(image, look.view, look.exposure);
+    write_png(png, shown, {}, look.depth);
+    return shown;
 }
 
 void check_picture_output(const std::string& path) {

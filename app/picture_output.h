@@ -14,18 +14,12 @@ class App;
 
 namespace scree {
 
-/// How the .png shows a picture.
-struct PngLook {
-    std::string view{}; // of OpenColorIO; empty: the default one
-    float exposure = 0; // [stops]
-    PngDepth depth = PngDepth::eight;
-};
-
 /// Adds --png-bits.
 void add_png_bits_option(CLI::App& command, PngDepth& depth);
 
-/// Writes what a view shows of a picture of linear light. Throws Error as to_display and write_png.
-void write_look(const std::string& png, const Image& image, const PngLook& look);
+/// Writes what a view shows of a picture of linear light, and answers it. Throws Error as
+/// to_display and write_png.
+Image write_look(const std::string& png, const Image& image, const PngLook& look);
 
 /// Throws Error unless `path` ends in .exr (usage) and can be written (resource).
 void check_picture_output(const std::string& path);

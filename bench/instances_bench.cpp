@@ -5,7 +5,9 @@
 #include "bench/tables.h"
 #include "render/render.h"
 
+#include "core/frame.h"
 #include "core/random.h"
+#include "core/warps.h"
 #include "formats/read_mesh.h"
 
 #include <array>
@@ -72,12 +74,10 @@ std::vector<Ray> diffuse_rays(const World& world, const std::vector<Ray>& from) 
     for (const Ray& ray : from)
         for (int i = 0; i < diffuse_of_a_pixel; ++i)
             if (world.hit(ray, hit)) {
-                const double z = random.uniform(-1, 1);
-                const double turn = random.uniform(0, 2 * pi);
-                const double r = std::sqrt(1 - z * z);
-                const Vec3 ball(float(r * std::cos(turn)), float(r * std::sin(turn)), float(z));
+                const Vec2f u(random.uniform_float(), random.uniform_float());
                 const float side = hit.normal.dot(ray.direction) < 0 ? 1.0F : -1.0F;
-                rays.push_back(hit.leave((ball + hit.normal * (1.001F * side)).normalized()));
+                const Frame frame(hit.normal * side);
+                rays.push_back(hit.leave(frame.world_from_local(warp::cosine_hemisphere(u))));
             }
     return rays;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/image.h"
+#include "core/math.h"
 
 namespace scree::bench {
 
@@ -35,7 +36,7 @@ inline double mean_luminance(const Image& picture) {
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             const float* p = picture.at(x, y);
-            sum += 0.2126 * double(p[0]) + 0.7152 * double(p[1]) + 0.0722 * double(p[2]);
+            sum += double(luminance(Color(p[0], p[1], p[2])));
         }
     return sum / (double(picture.width) * picture.height);
 }

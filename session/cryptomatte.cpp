@@ -101,12 +101,13 @@ material_names(std::span<const std::shared_ptr<const Material>> materials) {
     return names;
 }
 
-std::vector<std::uint32_t> object_of_instances(std::span<const Aggregate> aggregates) {
-    std::vector<std::uint32_t> objects;
+// One for each object, repeated for each of its instances.
+std::vector<std::uint32_t> by_instance(std::span<const std::uint32_t> of_objects,
+                                       std::span<const Aggregate> aggregates) {
+    std::vector<std::uint32_t> ids;
     for (std::size_t a = 0; a < aggregates.size(); ++a)
-        objects.insert(objects.end(), aggregates[a].instances.size(),
-                       static_cast<std::uint32_t>(a));
-    return objects;
+        ids.insert(ids.end(), aggregates[a].instances.size(), of_objects[a]);
+    return ids;
 }
 
 Metadata metadata_of(std::string_view layer, std::span<const std::string> names) {
@@ -167,13 +168,10 @@ Cryptomatte make_cryptomatte(std::string_view layer, const Film& film,
     ids.reserve(names.size());
     for (const std::string& name : names)
         ids.push_back(cryptomatte_id(name));
-    const std::vector<std::uint32_t> object_of = layer == cryptomatte_layers[0]
-                                                     ? object_of_instances(aggregates)
-                                                     : std::vector<std::uint32_t>{};
+    if (layer == cryptomatte_layers[0])
+        ids = by_instance(ids, aggregates);
     const auto id_of = [&](const Seen& seen) {
-        if (by_material)
-            return ids[seen.material];
-        return ids[object_of.empty() ? seen.instance : object_of[seen.instance]];
+        return ids[by_material ? seen.material : seen.instance];
     };
 
     Cryptomatte out;

@@ -59,10 +59,10 @@ ShardFile read_shard(const std::string& path) {
     const std::string samples = text_of(metadata, "scree:shard_samples");
     std::from_chars(samples.data(), samples.data() + samples.size(), facts.samples);
     facts.interrupted = text_of(metadata, "scree:shard_interrupted") == "yes";
-    facts.view = text_of(metadata, "scree:shard_view");
-    std::sscanf(text_of(metadata, "scree:shard_exposure").c_str(), "%f", &facts.exposure);
+    facts.look.view = text_of(metadata, "scree:shard_view");
+    std::sscanf(text_of(metadata, "scree:shard_exposure").c_str(), "%f", &facts.look.exposure);
     if (text_of(metadata, "scree:shard_png_bits") == "16")
-        facts.depth = PngDepth::sixteen;
+        facts.look.depth = PngDepth::sixteen;
     return shard;
 }
 
@@ -121,9 +121,9 @@ void check_complete(const std::vector<std::string>& path_of) {
 Metadata shard_metadata(const ShardFacts& facts) {
     Metadata metadata{{shard_key, shard_text(facts.shard)},
                       {"scree:shard_samples", std::to_string(facts.samples)},
-                      {"scree:shard_exposure", fmt::format("{}", facts.exposure)},
-                      {"scree:shard_view", facts.view},
-                      {"scree:shard_png_bits", std::to_string(static_cast<int>(facts.depth))}};
+                      {"scree:shard_exposure", fmt::format("{}", facts.look.exposure)},
+                      {"scree:shard_view", facts.look.view},
+                      {"scree:shard_png_bits", std::to_string(static_cast<int>(facts.look.depth))}};
     if (facts.interrupted)
         metadata.emplace_back("scree:shard_interrupted", "yes");
     return metadata;
@@ -154,8 +154,7 @@ MergedShards merge_shards(std::span<const std::string> paths) {
         copy_tiles(shard, first.file);
     }
     check_complete(path_of);
-    MergedShards merged{std::move(first.file), first.facts.view, first.facts.exposure,
-                        first.facts.depth};
+    MergedShards merged{std::move(first.file), first.facts.look};
     Metadata& metadata = merged.picture.metadata;
     std::erase_if(metadata,
                   [](const auto& entry) { return entry.first.starts_with(shard_prefix); });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/image.h"
+#include "render/film/color.h"
 #include "render/render_options.h"
 
 #include <span>
@@ -14,9 +15,7 @@ struct ShardFacts {
     Shard shard;
     std::uint64_t samples = 0; // of all its pixels
     bool interrupted = false;
-    std::string view{}; // of the .png
-    float exposure = 0; // [stops]
-    PngDepth depth = PngDepth::eight;
+    PngLook look{};
 };
 
 /// The attributes of a shard's header.
@@ -28,9 +27,7 @@ std::pair<std::string, std::string> samples_metadata(double samples_per_pixel);
 /// A whole picture, as if it had been rendered in one piece.
 struct MergedShards {
     ExrFile picture;
-    std::string view;
-    float exposure = 0;
-    PngDepth depth = PngDepth::eight;
+    PngLook look;
 };
 
 /// Puts the pictures of all shards together. Throws Error (input) naming the file for one that is

@@ -19,6 +19,13 @@ std::vector<std::string> view_names();
 /// default view; `exposure` [stops] comes first. Throws Error (usage) on an unknown view.
 Image to_display(const Image& beauty, const std::string& view = "", double exposure = 0);
 
+/// How a .png shows a picture.
+struct PngLook {
+    std::string view{}; // as of to_display
+    float exposure = 0; // [stops]
+    PngDepth depth = PngDepth::eight;
+};
+
 /// The tone curve of "filmic": straight in the middle, with a toe and a shoulder that reaches 1
 /// only at infinity (Uchimura 2017, "HDR theory and practice", with its default parameters).
 double filmic_curve(double linear);

@@ -78,14 +78,22 @@ void Maker::doubt_lengths(const Params& given, const std::vector<ParamSpec>& spe
     const auto doubt = [&](const std::string& name, const auto& shape) {
         if (shape == nullptr || !shape->unit_unknown)
             return;
-        const Vec3 size = box_of(*shape).size() * scale;
+        const auto [found, is_new] = unsure_sizes_.try_emplace(shape.get());
+        std::optional<Vec3>& known = found->second;
+        if (is_new)
+            known = box_of(*shape).size();
+        if (!known)
+            return;
+        const Vec3 size = *known * scale;
         const float length = std::max({size.x, size.y, size.z});
-        if (length > suspicious_length && doubted_.insert(shape.get()).second)
+        if (length > suspicious_length) {
+            known.reset();
             given.warn(name,
                        fmt::format("{} is {:.4g} m long, its numbers taken as metres", shape->name,
                                    length),
                        "if the file is in millimetres, say unit = \"mm\"; unit = \"m\" if in "
                        "metres");
+        }
     };
     for (const ParamSpec& spec : specs)
         if (spec.type == ParamType::object) {

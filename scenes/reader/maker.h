@@ -6,7 +6,7 @@
 #include "scenes/reader/check_value.h"
 #include "scenes/reader/field_hint.h"
 
-#include <set>
+#include <optional>
 #include <unordered_map>
 
 namespace scree {
@@ -49,7 +49,8 @@ class Maker {
     std::vector<OpenTable> open_; // outermost first
     std::unordered_map<const Description*, SharedObject> made_;
     std::unordered_map<std::string, SharedObject> equal_; // by what the nodes say
-    std::set<const void*> doubted_;                       // shapes that were warned of
+    // The sizes of shapes whose file does not tell its unit, none for those that were warned of.
+    std::unordered_map<const void*, std::optional<Vec3>> unsure_sizes_;
 };
 
 } // namespace scree
