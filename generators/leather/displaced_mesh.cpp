@@ -2,6 +2,7 @@
 #include "generators/leather/displaced_surface.h"
 
 #include "core/parallel.h"
+#include "generators/leather/seam_blend.h"
 #include "generators/leather/tile_repeats.h"
 #include "geometry/mesh/triangle_corners.h"
 
@@ -94,7 +95,8 @@ class Refinement {
     Mesh& mesh() { return mesh_; }
 
     /// Moves every place by the mean of what the map says at its vertices, along the normal there.
-    void displace(const HeightField& field, const Vec2& tiles);
+    /// Across seams of the UVs the map is blended within `blend` [m].
+    void displace(const HeightField& field, const Vec2& tiles, double blend);
 
   private:
     static void append(std::vector<Mesh::Triangle>& out, const Mesh::Triangle& t,
@@ -158,7 +160,7 @@ class Refinement {
     std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
-void Refinement::displace(const HeightField& field, const Vec2& tiles) {
+void Refinement::displace(const HeightField& field, const Vec2& tiles, double blend) {
     const std::size_t count = mesh_.positions.size();
     // The directions of growing u and v, summed over the triangles round each place.
     std::vector<Vec3> along_u(count, Vec3(0.0F)), along_v(count, Vec3(0.0F));
@@ -174,6 +176,7 @@ void Refinement::displace(const HeightField& field, const Vec2& tiles) {
     }
     for (Vec2f& uv : mesh_.uvs)
         uv = Vec2f(static_cast<float>(uv.x * tiles.x), static_cast<float>(uv.y * tiles.y));
+    const SeamBlend seams(mesh_, place_, blend);
     std::vector<Vec3> offsets(count);
     parallel_for(count, 1024, [&](std::size_t i) {
         const Vec3 offset = field.offset(Vec2(mesh_.uvs[i]));
@@ -181,6 +184,8 @@ void Refinement::displace(const HeightField& field, const Vec2& tiles) {
         offsets[i] = places_[p].normal * offset.y;
         if (along_u[p].length2() > 0 && along_v[p].length2() > 0)
             offsets[i] += along_u[p].normalized() * offset.x - along_v[p].normalized() * offset.z;
+        offsets[i] =
+            seams.offset(field, static_cast<std::uint32_t>(i), offsets[i], places_[p].normal);
     });
     std::vector<Vec3> sums(count, Vec3(0.0F));
     std::vector<float> shares(count, 0.0F);
@@ -222,7 +227,8 @@ std::size_t triangles_needed(const Mesh& mesh, double edge, std::size_t most) {
     return count;
 }
 
-Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t triangles) {
+Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t triangles,
+                    double blend) {
     Refinement refined(mesh);
     const Vec2 tiles = tile_repeats(mesh, field.size);
     // Halved edges end between half the limit and the limit: triangles of about 0.6 of it.
@@ -237,7 +243,7 @@ Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t tria
             break;
         refined.split(split_above);
     }
-    refined.displace(field, tiles);
+    refined.displace(field, tiles, blend);
     return std::move(refined.mesh());
 }
 

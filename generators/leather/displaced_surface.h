@@ -23,8 +23,10 @@ Mesh displaced_sphere(const HeightField& field, const Vec3& centre, double radiu
 /// triangles, or as many as the mesh has, along curves that
 /// follow its normals (Vlachos et al. 2001), then moved along those normals. The tile repeats a
 /// whole number of times over the unit square, as near to its true size as can be, so that closed
-/// surfaces stay seamless. Points at one place stay at one place: seams do not open.
-Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t triangles);
+/// surfaces stay seamless. Points at one place stay at one place: seams do not open, and the maps
+/// of their two sides fade into each other within `blend` [m].
+Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t triangles,
+                    double blend);
 
 /// How many triangles `displaced_mesh` needs about for edges no longer than `edge` [m]; counting
 /// stops above `most`.

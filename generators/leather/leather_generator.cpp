@@ -160,7 +160,18 @@ void warn_of_few_triangles(const Params& params, const CoverSettings& cover,
                                : "a smaller shape, or a larger cell, needs fewer");
 }
 
-Mesh covered_shape(const CoverSettings& cover, const HeightField& field) {
+// How far a relief fades into that beyond a seam, in cells: less shows the seam as a step, more as
+// a band where the relief is flat.
+constexpr double blend_in_cells = 0.7;
+
+/// Lifts the mesh to where the bare shape stood: a relief on its foot would sink into the ground.
+void stand(Mesh& mesh, const Mesh& bare) {
+    const float lift = bounds(bare).min.y - bounds(mesh).min.y;
+    for (Vec3& p : mesh.positions)
+        p.y += lift;
+}
+
+Mesh covered_shape(const CoverSettings& cover, const HeightField& field, double cell) {
     if (cover.shape == nullptr)
         return displaced_swatch(field, cover.thickness, cover.triangles);
     const Mesh& mesh = *cover.shape;
@@ -168,7 +179,8 @@ Mesh covered_shape(const CoverSettings& cover, const HeightField& field) {
     double radius = 0;
     Mesh result = covers_sphere(cover, centre, radius)
                       ? displaced_sphere(field, centre, radius, cover.facing, cover.triangles)
-                      : displaced_mesh(field, mesh, cover.triangles);
+                      : displaced_mesh(field, mesh, cover.triangles, blend_in_cells * cell);
+    stand(result, mesh);
     result.name = mesh.name;
     return result;
 }
@@ -189,7 +201,8 @@ Aggregate bake_leather(const ReliefRequest& request, const CoverSettings& cover,
     ReliefFacts facts;
     const auto field =
         std::make_shared<const HeightField>(leather_relief(request, context, &facts));
-    const auto mesh = std::make_shared<const Mesh>(covered_shape(cover, *field));
+    const auto mesh =
+        std::make_shared<const Mesh>(covered_shape(cover, *field, request.settings.cell));
 
     Aggregate aggregate;
     aggregate.generator = "leather";
@@ -250,7 +263,8 @@ std::vector<ParamSpec> leather_specs() {
          .type = ParamType::object,
          .families = {"mesh"},
          .doc = "What the leather covers: a mesh with UVs, over which the tile repeats at its true "
-                "size, or a sphere; one flat tile when not given.",
+                "size, or a sphere; one flat tile when not given. It stands as high as the bare "
+                "shape.",
          .optional = true},
         {.name = "facing",
          .type = ParamType::vector3,

@@ -121,7 +121,7 @@ TEST(Leather, AClosedMeshStaysClosedAndTheTileKeepsItsSize) {
         const Mesh mesh = plugin.make(tests::defaults(plugin.params, "mesh." + plugin.name));
         ASSERT_FALSE(mesh.uvs.empty());
         HeightField field = leather_relief(request(preset("coarse_grain"), 128, 0.02), {});
-        const Mesh displaced = displaced_mesh(field, mesh, 60000);
+        const Mesh displaced = displaced_mesh(field, mesh, 60000, 2e-3);
         EXPECT_GT(displaced.triangles.size(), 30000U) << plugin.name;
         EXPECT_LE(displaced.triangles.size(), 60000U) << plugin.name;
         const MeshFacts before = inspect(mesh), after = inspect(displaced);
@@ -131,6 +131,48 @@ TEST(Leather, AClosedMeshStaysClosedAndTheTileKeepsItsSize) {
         EXPECT_TRUE(after.finite);
         EXPECT_NEAR(volume(displaced) / volume(mesh), 1, 0.15) << plugin.name;
     }
+}
+
+// A wave over a box whose sides show different places of it: across the seams it must not rise more
+// steeply than the blend does.
+TEST(Leather, SeamsAreBlended) {
+    const Registry<MakeMesh> table = component_table();
+    const Mesh box = tests::make(
+        table, "box",
+        {{"width", 0.08}, {"height", 0.05}, {"depth", 0.06}, {"uvs", std::string("even")}});
+    HeightField wave{.image = Image(64, 64, {"Y"}), .size = {0.02, 0.02}};
+    const double height = 2e-4;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            *wave.image.at(x, y) =
+                static_cast<float>(height * std::sin(2 * pi * x / 64) * std::cos(2 * pi * y / 64));
+    const Mesh flat = displaced_mesh(HeightField{.image = Image(4, 4, {"Y"}), .size = wave.size},
+                                     box, 200000, 1e-3);
+    const double blend = 4e-3;
+    const double slope = 1.5 * (2 * pi * height / wave.size.x + 1.5 * height / blend);
+    const auto highest_step = [&](double width) { // that the slope does not explain
+        const Mesh mesh = displaced_mesh(wave, box, 200000, width);
+        double highest = 0;
+        for (const Mesh::Triangle& t : mesh.triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+                const Vec3 rise = (mesh.positions[b] - flat.positions[b]) -
+                                  (mesh.positions[a] - flat.positions[a]);
+                const Vec3 way = flat.positions[b] - flat.positions[a];
+                highest = std::max(highest, double(rise.length()) - slope * double(way.length()));
+            }
+        return highest;
+    };
+    EXPECT_LT(highest_step(blend), 0.05 * height) << "at corners, where three sides meet";
+    EXPECT_GT(highest_step(1e-9), 0.5 * height) << "a blend is needed";
+}
+
+TEST(Leather, StandsAsHighAsTheBareShape) {
+    const Registry<MakeMesh> table = component_table();
+    Params params = leather("pebbled", 64);
+    params.set("shape", std::make_shared<const Mesh>(tests::make(table, "box", {{"width", 0.08}})));
+    const Aggregate made = leather_plugin().make(params)({});
+    EXPECT_NEAR(bounds(*made.prototypes[0].mesh()).min.y, 0, 1e-8);
 }
 
 TEST(Leather, TheStretchOfATileIsThatOfTheUvs) {
