@@ -65,11 +65,11 @@ double levels_of(std::span<const PileKind> kinds, double sink) {
 
 } // namespace
 
-std::size_t pile_up(PlacedBodies& pile, const Mesh& target, const PileTurns& turns,
-                    std::vector<BodySite> sites, const InsertionSettings& settings, double cover,
-                    const Context& context) {
+PileUp pile_up(PlacedBodies& pile, const Mesh& target, const PileTurns& turns,
+               std::vector<BodySite> sites, const InsertionSettings& settings, double cover,
+               const Context& context) {
     const std::vector<double> ranges = ranges_of(turns.kinds);
-    std::size_t tried = sites.size();
+    PileUp result{.tried = sites.size(), .covered = cover <= 0};
     std::optional<Gaps> gaps;
     if (cover > 0)
         gaps.emplace(target, turns, std::max(measuring_rays, rays_per_site * sites.size()), cover);
@@ -81,19 +81,23 @@ std::size_t pile_up(PlacedBodies& pile, const Mesh& target, const PileTurns& tur
         const double level = n * level_height - settings.sink;
         insert_up_to(level, pile, waiting, settings, context);
         for (int pass = 0; gaps && pass < most_passes; ++pass) {
-            if (!gaps->remain(pile))
-                return tried;
+            if (!gaps->remain(pile)) {
+                result.covered = true;
+                return result;
+            }
             std::vector<InsertionCandidate> fresh =
                 candidates_at(gaps->sites(), pile.shapes, ranges, settings);
             const std::size_t before = pile.all.size();
             const std::size_t count = fresh.size();
             insert_up_to(level, pile, fresh, settings, context);
-            tried += count;
+            result.tried += count;
             if (double(pile.all.size() - before) < least_gain * double(count))
                 break;
         }
     }
-    return tried;
+    if (gaps)
+        result.covered = !gaps->remain(pile);
+    return result;
 }
 
 double measured_cover(const PlacedBodies& pile, const Mesh& target, std::uint64_t seed) {

@@ -46,9 +46,11 @@ std::size_t fill_solid(PlacedBodies& pile, const Mesh& target, const PileTurns& 
         InsertionSettings below = settings;
         below.ceiling = shells[i].depth;
         const Mesh& surface = shells[i].surface;
-        tried += pile_up(pile, surface, own, pile_sites(surface, own, context), below, 0, context);
+        tried +=
+            pile_up(pile, surface, own, pile_sites(surface, own, context), below, 0, context).tried;
     }
-    return tried + pile_up(pile, target, turns, std::move(sites), settings, fill.cover, context);
+    return tried +
+           pile_up(pile, target, turns, std::move(sites), settings, fill.cover, context).tried;
 }
 
 double filled_share(const PlacedBodies& pile, const Mesh& target, std::uint64_t seed) {

@@ -10,6 +10,8 @@
 #include "generators/pile/pile_specs.h"
 #include "model/stage_times.h"
 
+#include <fmt/format.h>
+
 namespace scree {
 
 namespace {
@@ -43,6 +45,17 @@ struct PlacedPile {
     std::size_t tried = 0;
 };
 
+/// Warns where the components hide less of the target than was asked for.
+void warn_of_cover(const PlacedBodies& pile, const PileSettings& settings) {
+    constexpr double visible = 0.02; // less does not show
+    const double hidden = measured_cover(pile, *settings.target, settings.seed);
+    if (settings.warn_of_cover && hidden < settings.cover - visible)
+        settings.warn_of_cover(
+            fmt::format("{:.0f}% of the surface is hidden, not the {:.0f}% asked for: nothing "
+                        "more finds room",
+                        100 * hidden, 100 * settings.cover));
+}
+
 PlacedPile placed_at(std::vector<BodySite> sites, const PileSettings& settings,
                      const PileTurns& turns, const Context& context) {
     const Mesh& target = *settings.target;
@@ -67,10 +80,16 @@ PlacedPile placed_at(std::vector<BodySite> sites, const PileSettings& settings,
     std::optional<Settler> settler;
     if (settings.settling)
         insertion.settler = &settler.emplace(bodies, target, *settings.settling);
-    placed.tried += settings.solid ? fill_solid(placed.pile, target, turns, std::move(sites),
-                                                *settings.solid, insertion, context)
-                                   : pile_up(placed.pile, target, turns, std::move(sites),
-                                             insertion, settings.cover, context);
+    if (settings.solid) {
+        placed.tried += fill_solid(placed.pile, target, turns, std::move(sites), *settings.solid,
+                                   insertion, context);
+        return placed;
+    }
+    const PileUp done =
+        pile_up(placed.pile, target, turns, std::move(sites), insertion, settings.cover, context);
+    placed.tried += done.tried;
+    if (!done.covered)
+        warn_of_cover(placed.pile, settings);
     return placed;
 }
 

@@ -17,6 +17,13 @@ void check_closed_target(const Params& params, const char* for_what) {
                            fmt::format("expected a closed mesh for {}", for_what));
 }
 
+// Hides about all that can be seen from outside.
+constexpr double default_cover = 0.99;
+
+double cover_of(const Params& params) {
+    return params.has("cover") ? params.number("cover") : default_cover;
+}
+
 std::optional<SolidFill> solid_fill(const Params& params) {
     if (params.text("fill") != "solid") {
         if (params.has("shells"))
@@ -28,7 +35,7 @@ std::optional<SolidFill> solid_fill(const Params& params) {
         throw params.error("fill", "is \"solid\", but the thesis's method covers surfaces only",
                            "expected method = \"insertion\" or \"relax\" beside it");
     check_closed_target(params, "fill = \"solid\"");
-    SolidFill fill{.cover = params.number("cover")};
+    SolidFill fill{.cover = cover_of(params)};
     if (params.has("shells"))
         fill.shells = static_cast<std::size_t>(params.integer("shells"));
     return fill;
@@ -107,6 +114,9 @@ std::optional<ThesisSettings> thesis_settings(const Params& params) {
     }
     if (params.number("sink") > 0)
         throw params.error("sink", "is no parameter of the thesis's method");
+    if (params.has("cover") && params.number("cover") > 0)
+        throw params.error("cover", "is no parameter of the thesis's method",
+                           "expected method = \"insertion\", which goes on where it still shows");
     ThesisSettings settings{.overlap = params.number("overlap"), .removal = {}};
     if (params.has("removal"))
         settings.removal = params.number("removal");
@@ -121,8 +131,12 @@ SupportSettings support_settings(const Params& params) {
                              .adhesive = params.flag("adhesive"),
                              .floor = {},
                              .contact = params.number("contact")};
-    if (params.has("floor"))
+    if (params.has("floor")) {
         settings.floor = params.number("floor");
+        if (settings.check == SupportCheck::none)
+            params.warn("floor", "keeps nothing above it: without support it is not looked at",
+                        "support = \"remove\" takes away what nothing holds up");
+    }
     return settings;
 }
 
@@ -143,7 +157,12 @@ PileSettings pile_settings(const Params& params) {
     settings.insertion = {.overlap = params.number("overlap"), .sink = params.number("sink")};
     settings.components = component_settings(params);
     settings.frame = params.text("frame") == "global" ? PileFrame::global : PileFrame::surface;
-    settings.cover = params.number("cover");
+    settings.cover = cover_of(params);
+    if (params.has("cover"))
+        settings.warn_of_cover = [params](std::string message) {
+            params.warn("cover", std::move(message),
+                        "components that are smaller or stand closer (spacing) hide more");
+        };
     settings.support = support_settings(params);
     settings.measure = static_cast<std::size_t>(params.integer("measure"));
     settings.seed = static_cast<std::uint64_t>(params.integer("seed"));

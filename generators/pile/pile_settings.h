@@ -11,6 +11,8 @@
 #include "generators/pile/relax.h"
 #include "generators/pile/thesis_method.h"
 
+#include <functional>
+
 namespace scree {
 
 /// All that generator.pile's parameters ask for. Lengths and directions are in the target's frame,
@@ -33,6 +35,7 @@ struct PileSettings {
     std::optional<SettleSettings> settling;
     std::optional<SolidFill> solid; // nothing: only the surface is covered
     double cover = 0;               // the share of the surface to be hidden; 0: one pass
+    std::function<void(std::string)> warn_of_cover{}; // where a certain share was asked for
 
     SupportSettings support;
     std::optional<CutPlane> cut;

@@ -241,8 +241,8 @@ std::vector<ParamSpec> placing_specs() {
         {.name = "cover",
          .type = ParamType::number,
          .doc = "insertion goes on where the surface still shows until this share of it is hidden "
-                "from outside, or nothing more finds room; 0: one pass.",
-         .fallback = 0.99,
+                "from outside, or nothing more finds room; 0.99 unless given; 0: one pass.",
+         .optional = true,
          .min = 0.0,
          .max = 1.0},
         {.name = "removal",
@@ -272,9 +272,9 @@ std::vector<ParamSpec> support_specs() {
          .fallback = true},
         {.name = "floor",
          .type = ParamType::number,
-         .doc = "Height of a level floor that holds components up, in the target's frame; unless "
-                "given, there is none, or, if nothing sticks to the target, one under the lowest "
-                "component.",
+         .doc = "Of support: height of a level floor that counts as holding components up, in the "
+                "target's frame; unless given, there is none, or, if nothing sticks to the target, "
+                "one under the lowest component.",
          .unit = "m",
          .optional = true,
          .min = -1e4,

@@ -1,0 +1,9 @@
+return scene {
+  objects = {
+    generator.pile {
+      target = mesh.sphere { radius = 0.02 },
+      components = { { shape = mesh.rice {} } },
+      floor = 0,
+    },
+  },
+}
