@@ -21,7 +21,7 @@ struct BakeOptions {
     SceneOptions scene;
     std::string output;
     std::string stats;
-    int size = 1600;
+    LayoutLook look;
     double resolution = 0; // [m]
     double bridge = 0;     // [m]
     std::string parts = "largest";
@@ -101,7 +101,7 @@ int bake(const BakeOptions& options) {
         check_writable(options.stats);
     SceneRun run(options.scene);
     const Exported exported = export_scene(run.session, run.session.bake(run.session.load()),
-                                           format, options.output, options.size, solid);
+                                           format, options.output, options.look, solid);
     if (!options.stats.empty())
         write_file(options.stats,
                    run_stats_json(run.session.stages(), exported.scene.aggregates, nullptr, {},
@@ -119,9 +119,16 @@ void add_bake_command(CLI::App& app, Run& run) {
     add_file_option(*command, "-o,--output", options->output,
                     "File to write: .json, .svg, .png, .exr, .stl or .3mf")
         ->required();
-    command->add_option("--size", options->size, "Pixels of the longer side of a .png or .exr")
+    command
+        ->add_option("--size", options->look.pixels, "Pixels of the longer side of a .png or .exr")
         ->check(problem_of_size)
         ->type_name("PIXELS");
+    command
+        ->add_option_function<std::string>(
+            "--margins",
+            [options](const std::string& what) { options->look.margins = what == "draw"; },
+            "Outlines of margins in a .svg, .png or .exr: draw (the default) or hide them")
+        ->check(CLI::IsMember({"draw", "hide"}));
     add_stats_option(*command, options->stats);
     options->add_solid_options(*command);
     command->footer("Example:\n  scree bake scenes/toys.lua -o toys.json --set seed=9\n"

@@ -25,8 +25,8 @@ Color linear_color(const Color& display) {
 
 class LayoutImage {
   public:
-    LayoutImage(const Box2& box, int width, int height)
-        : low_(box.min), scale_(width / box.size().x, height / box.size().y),
+    LayoutImage(const Box2& box, int width, int height, bool margins)
+        : low_(box.min), scale_(width / box.size().x, height / box.size().y), margins_(margins),
           canvas_(width, height) {}
 
     void lay_paper() {
@@ -99,7 +99,7 @@ class LayoutImage {
         }
         canvas_.fill(placed(seen_region(prototype), matrix, shift),
                      linear_color(color(aggregate, instance)));
-        if (has_margin(prototype))
+        if (margins_ && has_margin(prototype))
             for (const Ring& ring : placed(*prototype.region, matrix, shift))
                 canvas_.stroke(ring, 0.75, linear_color(margin), true);
     }
@@ -115,6 +115,7 @@ class LayoutImage {
 
     Vec2 low_;
     Vec2 scale_; // pixels per metre
+    bool margins_;
     Canvas canvas_;
     std::map<std::pair<const Picture*, Beyond>, PictureFilter> filters_;
 };
@@ -122,13 +123,13 @@ class LayoutImage {
 } // namespace
 
 Image layout_image(std::span<const Aggregate> aggregates, const ElementColor& color,
-                   int longest_side) {
+                   const LayoutLook& look) {
     const Box2 box = picture_box(aggregates);
-    const double scale = longest_side / std::max(box.size().x, box.size().y);
+    const double scale = look.pixels / std::max(box.size().x, box.size().y);
     const auto pixels = [&](double length) {
         return std::max(1, static_cast<int>(std::lround(length * scale)));
     };
-    LayoutImage out(box, pixels(box.size().x), pixels(box.size().y));
+    LayoutImage out(box, pixels(box.size().x), pixels(box.size().y), look.margins);
     if (!are_textures(aggregates))
         out.lay_paper();
     for (const Aggregate& aggregate : aggregates)

@@ -12,6 +12,12 @@
 
 namespace scree {
 
+/// What a drawing shows.
+struct LayoutLook {
+    int pixels = 1600;   // the longer side of an image
+    bool margins = true; // exclusive regions that are not the shapes themselves, as thin lines
+};
+
 /// Gives the display-encoded colour of an element.
 using ElementColor = std::function<Color(const Aggregate& aggregate, const Instance& instance)>;
 
@@ -47,14 +53,14 @@ bool is_seen(const Aggregate& aggregate, const Instance& instance, const Vec2& s
 /// SVG 1.1, in millimetres: for every prototype a <path> (with holes) or a <symbol> (with its
 /// picture) in <defs>, for every instance a <use> with its matrix, and the outlines of the domains
 /// that are no tiles.
-/// Exclusive regions that are not the shapes themselves are a group of thin lines.
+/// Margins are a group of their own.
 /// On a torus the periodic copies are included, clipped to the domain.
-std::string layout_svg(std::span<const Aggregate> aggregates, const ElementColor& color);
+std::string layout_svg(std::span<const Aggregate> aggregates, const ElementColor& color,
+                       const LayoutLook& look = {});
 
-/// The same as an anti-aliased image, whose longer side has `longest_side` pixels: linear,
-/// premultiplied R, G, B, A. The shorter side is rounded to whole pixels, so that the period of a
-/// texture is whole too.
+/// The same as an anti-aliased image: linear, premultiplied R, G, B, A. The shorter side is rounded
+/// to whole pixels, so that the period of a texture is whole too.
 Image layout_image(std::span<const Aggregate> aggregates, const ElementColor& color,
-                   int longest_side);
+                   const LayoutLook& look);
 
 } // namespace scree

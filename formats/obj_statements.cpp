@@ -55,11 +55,16 @@ class Parser {
         else if (keyword == "l")
             line();
         else if (keyword == "usemtl")
-            material_ = trimmed(rest_); // one name, which may hold blanks
+            use_material();
         else if (keyword == "mtllib")
             out_.libraries.emplace_back(trimmed(rest_));
         else
             other_statement(std::string(keyword));
+    }
+
+    void use_material() {
+        material_ = trimmed(rest_); // one name, which may hold blanks
+        material_line_ = line_;
     }
 
     std::uint16_t material_number() {
@@ -69,7 +74,7 @@ class Parser {
             return known->second;
         if (out_.materials.size() == Mesh::most_parts)
             throw Error(fmt::format("it uses more than {} materials", Mesh::most_parts));
-        out_.materials.emplace_back(material_);
+        out_.materials.push_back({std::string(material_), material_line_});
         material_numbers_.emplace(material_, next);
         return next;
     }
@@ -215,6 +220,7 @@ class Parser {
     std::string_view rest_;
     std::array<double, most_numbers> numbers_{};
     std::string_view material_; // of the faces that follow
+    std::size_t material_line_ = 0;
     std::map<std::string_view, std::uint16_t> material_numbers_;
     Obj out_;
 };

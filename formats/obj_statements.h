@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/math.h"
+#include "formats/read_mtl.h"
 #include "formats/text_lines.h"
 
 #include <array>
@@ -34,7 +35,7 @@ struct Obj {
     std::vector<Face> faces;
     std::vector<Face> lines;             // of two corners or more, without material
     std::vector<std::string> libraries;  // what stands behind each mtllib
-    std::vector<std::string> materials;  // the names that faces use; "" for none
+    std::vector<MaterialUse> materials;  // the names that faces use; "" for none
     std::map<std::string, Tally> unread; // "lines", with the lines where they stand
 
     std::span<const ObjCorner> corners_of(const Face& face) const {

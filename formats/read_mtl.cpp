@@ -262,12 +262,21 @@ std::vector<std::string> files_of(const std::string& names, const std::string& f
     }
 }
 
+std::string missing(const MaterialUse& use, const std::map<std::string, Draft>& drafts) {
+    std::vector<std::string> known;
+    for (const auto& [name, draft] : drafts)
+        known.push_back(name);
+    const std::string near = did_you_mean(use.name, known);
+    return fmt::format("usemtl {} at line {}, which no mtllib has (taken as grey{})", use.name,
+                       use.line, near.empty() ? "" : "; " + near);
+}
+
 } // namespace
 
 MeshMaterials read_mtl(const std::vector<std::string>& libraries,
-                       const std::vector<std::string>& names, const std::string& folder) {
+                       const std::vector<MaterialUse>& uses, const std::string& folder) {
     MeshMaterials out;
-    if (libraries.empty() && !names.empty())
+    if (libraries.empty() && !uses.empty())
         out.problem = "it names some, but no library of them (mtllib)";
     std::map<std::string, Draft> drafts;
     for (const std::string& library : libraries) {
@@ -285,10 +294,10 @@ MeshMaterials read_mtl(const std::vector<std::string>& libraries,
     }
     if (drafts.empty())
         return out;
-    for (const std::string& name : names) {
-        const auto found = drafts.find(name);
-        if (found == drafts.end() && !name.empty())
-            out.not_read.push_back(name + ", which no library has");
+    for (const MaterialUse& use : uses) {
+        const auto found = drafts.find(use.name);
+        if (found == drafts.end() && !use.name.empty())
+            out.not_read.push_back(missing(use, drafts));
         out.list.push_back(found == drafts.end() ? MeshMaterial{} : finished(found->second));
     }
     return out;

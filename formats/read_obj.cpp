@@ -92,7 +92,7 @@ FileMesh read_obj(std::string_view bytes, const std::string& folder) {
     if (obj.faces.empty())
         throw Error("it has no triangles" + (unread.empty() ? "" : "; " + unread));
     FileMesh mesh = Builder(obj).build();
-    if (obj.materials != std::vector<std::string>{""})
+    if (obj.materials.size() != 1 || !obj.materials.front().name.empty())
         mesh.materials =
             std::make_shared<const MeshMaterials>(read_mtl(obj.libraries, obj.materials, folder));
     if (!unread.empty())

@@ -4,7 +4,6 @@
 #include "core/display_encoding.h"
 #include "core/file.h"
 #include "formats/element_color.h"
-#include "formats/layout_picture.h"
 #include "formats/write_3mf.h"
 #include "formats/write_bake_json.h"
 #include "formats/write_stl.h"
@@ -32,14 +31,14 @@ auto drawn(const Scene& scene, const std::string& path, const ExportOptions& opt
 }
 
 void to_svg(const Scene& scene, const std::string& path, const ExportOptions& options) {
-    write_file(path, drawn(scene, path, options, [](const auto& aggregates) {
-                   return layout_svg(aggregates, element_color);
+    write_file(path, drawn(scene, path, options, [&](const auto& aggregates) {
+                   return layout_svg(aggregates, element_color, options.look);
                }));
 }
 
 Image picture_of(const Scene& scene, const std::string& path, const ExportOptions& options) {
     return drawn(scene, path, options, [&](const auto& aggregates) {
-        return layout_image(aggregates, element_color, options.pixels);
+        return layout_image(aggregates, element_color, options.look);
     });
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/registry.h"
 #include "core/warn.h"
+#include "formats/layout_picture.h"
 #include "geometry/mesh/mesh.h"
 #include "geometry/mesh/strands.h"
 #include "model/scene.h"
@@ -28,7 +29,7 @@ enum class Holds {
 
 /// Options of a writer.
 struct ExportOptions {
-    int pixels = 1600;           // of the longer side of a picture
+    LayoutLook look;             // of a picture
     const Mesh* solid = nullptr; // the union of the components, for Holds::solid [m]
     Warn warn = no_warning;      // told what the format cannot hold
 };

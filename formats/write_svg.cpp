@@ -66,7 +66,8 @@ std::string picture_element(const Picture& picture, const Box2& box, const std::
                        base64(png_bytes(display_image(picture.image))));
 }
 
-void write_prototype(std::string& out, const Prototype& prototype, const std::string& id) {
+void write_prototype(std::string& out, const Prototype& prototype, const std::string& id,
+                     bool margins) {
     auto to = std::back_inserter(out);
     const std::string name = escaped(prototype.name);
     if (prototype.picture)
@@ -81,7 +82,7 @@ void write_prototype(std::string& out, const Prototype& prototype, const std::st
                        "<path id=\"{}\" fill-rule=\"evenodd\" d=\"{}\">"
                        "<title>{}</title></path>\n",
                        id, path_data(seen_region(prototype)), name);
-    if (has_margin(prototype))
+    if (margins && has_margin(prototype))
         fmt::format_to(to, "<path id=\"{}margin\" d=\"{}\"/>\n", id, path_data(*prototype.region));
 }
 
@@ -127,12 +128,13 @@ void write_elements(std::string& out, const Aggregate& aggregate, std::size_t nu
 }
 
 void write_aggregate(std::string& out, const Aggregate& aggregate, std::size_t number,
-                     const ElementColor& color) {
+                     const ElementColor& color, const LayoutLook& look) {
     auto to = std::back_inserter(out);
     fmt::format_to(to, "<g id=\"aggregate{}\">\n<title>{}</title>\n<defs>\n", number,
                    escaped(title(aggregate)));
     for (std::size_t p = 0; p < aggregate.prototypes.size(); ++p)
-        write_prototype(out, aggregate.prototypes[p], fmt::format("a{}p{}", number, p));
+        write_prototype(out, aggregate.prototypes[p], fmt::format("a{}p{}", number, p),
+                        look.margins);
     const bool clipped = is_tile(aggregate);
     if (clipped) {
         const Box2 box = bounds(*aggregate.domain);
@@ -153,7 +155,8 @@ void write_aggregate(std::string& out, const Aggregate& aggregate, std::size_t n
         write_background(out, aggregate, number);
     out += clipped ? fmt::format("<g clip-path=\"url(#a{}clip)\">\n", number) : "<g>\n";
     write_elements(out, aggregate, number, color);
-    write_margins(out, aggregate, number);
+    if (look.margins)
+        write_margins(out, aggregate, number);
     out += "</g>\n";
     if (aggregate.domain && !is_tile(aggregate))
         fmt::format_to(to,
@@ -165,7 +168,8 @@ void write_aggregate(std::string& out, const Aggregate& aggregate, std::size_t n
 
 } // namespace
 
-std::string layout_svg(std::span<const Aggregate> aggregates, const ElementColor& color) {
+std::string layout_svg(std::span<const Aggregate> aggregates, const ElementColor& color,
+                       const LayoutLook& look) {
     const Box2 box = picture_box(aggregates);
     const Vec2 low = box.min * mm_per_metre;
     const Vec2 size = box.size() * mm_per_metre;
@@ -176,7 +180,7 @@ std::string layout_svg(std::span<const Aggregate> aggregates, const ElementColor
         "viewBox=\"{0:.9g} {1:.9g} {2:.9g} {3:.9g}\">\n",
         low.x, low.y, size.x, size.y);
     for (std::size_t i = 0; i < aggregates.size(); ++i)
-        write_aggregate(out, aggregates[i], i, color);
+        write_aggregate(out, aggregates[i], i, color, look);
     return out + "</svg>\n";
 }
 

@@ -21,7 +21,7 @@ const SceneFormat& scene_format(std::span<const SceneFormat> formats, const std:
 }
 
 Exported export_scene(Session& session, Scene scene, const SceneFormat& format,
-                      const std::string& path, int pixels, const SolidOptions& solid) {
+                      const std::string& path, const LayoutLook& look, const SolidOptions& solid) {
     std::erase_if(scene.aggregates, [](const Aggregate& a) { return a.generator == "object"; });
     if (scene.aggregates.empty())
         throw Error(Diagnostic{{session.options().path, 0},
@@ -29,7 +29,7 @@ Exported export_scene(Session& session, Scene scene, const SceneFormat& format,
                                "there is no generator to bake; expected a generator.*",
                                ""});
     Exported out{std::move(scene)};
-    ExportOptions options{.pixels = pixels, .warn = [&session](const std::string& message) {
+    ExportOptions options{.look = look, .warn = [&session](const std::string& message) {
                               session.watcher().say("warning: " + message);
                           }};
     if (format.holds == Holds::solid) {

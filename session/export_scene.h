@@ -16,9 +16,9 @@ struct Exported {
 };
 
 /// Writes the part of the scene that the format holds (stage "write") and reports to the watcher.
-/// `pixels` is the longer side of a picture. Throws Error when the scene contains nothing for the
+/// Throws Error when the scene contains nothing for the
 /// format, and as `make_solid` and the writer do.
 Exported export_scene(Session& session, Scene scene, const SceneFormat& format,
-                      const std::string& path, int pixels, const SolidOptions& solid);
+                      const std::string& path, const LayoutLook& look, const SolidOptions& solid);
 
 } // namespace scree

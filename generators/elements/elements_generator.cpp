@@ -58,9 +58,9 @@ std::shared_ptr<const Region> inner_domain(const ElementsSettings& settings,
     }
 }
 
-/// Which component keeps the others farthest away, as "components[2], leaf.svg".
-std::string farthest_component(const PoissonDiskProblem& problem,
-                               const std::vector<ElementShape>& shapes) {
+/// Which component keeps the others farthest away, and why.
+std::string longest_distance(const ElementsSettings& settings, const PoissonDiskProblem& problem,
+                             const std::vector<ElementShape>& shapes) {
     const bool one_class = problem.classes.size() == 1; // of all components
     std::size_t farthest = 0;
     double longest = 0;
@@ -74,7 +74,16 @@ std::string farthest_component(const PoissonDiskProblem& problem,
             farthest = i;
         }
     }
-    return fmt::format("components[{}], {}", farthest + 1, shapes[farthest].prototype.name);
+    const double weight = settings.components[farthest].weight;
+    const bool rare = !one_class && std::ranges::any_of(settings.components, [&](const auto& c) {
+        return c.weight > weight;
+    });
+    return fmt::format("the longest distance, {:.4g} m, is that of components[{}]{}", longest,
+                       farthest + 1,
+                       rare ? fmt::format("; its weight of {:.4g}, less than others', makes it "
+                                          "rare and its distance long",
+                                          weight)
+                            : "");
 }
 
 void check_tile(const ElementsSettings& settings, const PoissonDiskProblem& problem,
@@ -83,8 +92,7 @@ void check_tile(const ElementsSettings& settings, const PoissonDiskProblem& prob
         check_torus(problem);
     } catch (const Error& error) {
         throw settings.torus_place.error(error.diagnostics().front().message,
-                                         "the longest distance is that of " +
-                                             farthest_component(problem, shapes));
+                                         longest_distance(settings, problem, shapes));
     }
 }
 

@@ -18,9 +18,9 @@ void check_torus(const PoissonDiskProblem& problem) {
     const double least = 4 * metric.longest() * metric.scale_over(box).high;
     const Vec2 size = box.size();
     if (std::min(size.x, size.y) < least)
-        throw Error(fmt::format("the domain is {:.4g} m wide; with these distances it must be "
+        throw Error(fmt::format("the domain is {:.4g} m along {}; with these distances it must be "
                                 "{:.4g} m, so that none meets itself",
-                                std::min(size.x, size.y), least));
+                                std::min(size.x, size.y), size.x <= size.y ? "x" : "z", least));
 }
 
 namespace {

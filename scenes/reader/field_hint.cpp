@@ -75,6 +75,16 @@ std::string table_around(const std::string& name, std::span<const OpenTable> ope
     return {};
 }
 
+// Says where relief comes from, when a material is asked for it.
+std::string relief_hint(const std::string& name, const OpenTable& table) {
+    static const std::vector<std::string> words{"height", "bump",      "displacement",
+                                                "normal", "normalmap", "relief"};
+    if (table.family == nullptr || table.family->family() != "material" ||
+        nearest_name(name, words).empty())
+        return {};
+    return "a material has no relief; generator.leather displaces a mesh; ";
+}
+
 } // namespace
 
 std::string field_hint(const std::string& name, std::span<const OpenTable> open) {
@@ -87,8 +97,8 @@ std::string field_hint(const std::string& name, std::span<const OpenTable> open)
     if (names.empty())
         return "it has no fields";
     const std::string owner = other_owner(name, open);
-    return fmt::format("{}there are: {}", owner.empty() ? "" : owner + " has it; here ",
-                       fmt::join(names, ", "));
+    return fmt::format("{}{}there are: {}", relief_hint(name, open.back()),
+                       owner.empty() ? "" : owner + " has it; here ", fmt::join(names, ", "));
 }
 
 } // namespace scree

@@ -107,7 +107,7 @@ TEST(Examples, TheFormatWritesWhatWasGenerated) {
     with_baked([&](Session& session, Scene scene) {
         const std::vector<SceneFormat> formats{csv_format()};
         const SceneFormat& format = scene_format(formats, path);
-        export_scene(session, std::move(scene), format, path, 0, {});
+        export_scene(session, std::move(scene), format, path, {}, {});
     });
     EXPECT_EQ(read_file(path), "name,x,y,z\n"
                                "copy,0,0,0\n"

@@ -233,7 +233,8 @@ TEST(LayoutSvg, ATorusShowsThePeriodicCopies) {
 TEST(LayoutImage, CoversTheAreaOfTheRegions) {
     for (const bool torus : {false, true}) {
         const Aggregate aggregate = two_frames(torus);
-        const Image image = display_image(layout_image(std::span(&aggregate, 1), dark, 3000));
+        const Image image =
+            display_image(layout_image(std::span(&aggregate, 1), dark, {.pixels = 3000}));
         EXPECT_EQ(image.width, 3000);
         double ink = 0;
         for (int y = 0; y < image.height; ++y)
@@ -243,6 +244,18 @@ TEST(LayoutImage, CoversTheAreaOfTheRegions) {
         const double expected = 0.12 * (1 + 1.25 * 1.25) * scale * scale;
         EXPECT_NEAR(ink, expected, 0.015 * expected) << torus;
     }
+}
+
+TEST(LayoutImage, MarginsAreHiddenWhenAsked) {
+    Aggregate aggregate = two_frames(false);
+    aggregate.prototypes[0].outline = std::make_shared<Region>(
+        Region{{{{-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1}, {-0.1, 0.1}}}, {}, {}});
+    const std::span<const Aggregate> all(&aggregate, 1);
+    const LayoutLook hidden{.pixels = 400, .margins = false};
+    EXPECT_NE(layout_svg(all, dark).find("class=\"margins\""), std::string::npos);
+    EXPECT_EQ(layout_svg(all, dark, hidden).find("margin"), std::string::npos);
+    const Image with = layout_image(all, dark, {.pixels = 400});
+    EXPECT_NE(layout_image(all, dark, hidden).pixels, with.pixels);
 }
 
 TEST(LayoutImage, NothingToSeeIsAnError) {

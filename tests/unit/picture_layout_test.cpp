@@ -71,7 +71,7 @@ Aggregate arrows(bool torus, const test::Folder& folder, std::uint64_t seed = 1)
 }
 
 Image drawn(const Aggregate& aggregate, int size) {
-    return layout_image({&aggregate, 1}, green, size);
+    return layout_image({&aggregate, 1}, green, {.pixels = size});
 }
 
 /// The SVG output rasterised by librsvg.

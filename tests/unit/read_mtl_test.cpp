@@ -20,9 +20,9 @@ class ReadMtl : public testing::Test {
     }
 
     /// The materials `names` of a library with this text.
-    MeshMaterials read(const std::string& text, const std::vector<std::string>& names = {"a"}) {
+    MeshMaterials read(const std::string& text, const std::vector<MaterialUse>& uses = {{"a", 1}}) {
         write_file(folder + "/lib.mtl", text);
-        return read_mtl({"lib.mtl"}, names, folder);
+        return read_mtl({"lib.mtl"}, uses, folder);
     }
     MeshMaterial one(const std::string& statements) {
         return read("newmtl a\n" + statements).list.front();
@@ -114,23 +114,27 @@ TEST_F(ReadMtl, WhatIsNotReadIsNamed) {
 
 TEST_F(ReadMtl, NamesAndLibraries) {
     const std::string text = "# two\nKd 1 1 1\nnewmtl dark oak\nKd 0.25\n\nnewmtl b\nKd 0.5\n";
-    const MeshMaterials both = read(text, {"b", "dark oak", "", "c"});
-    ASSERT_EQ(both.list.size(), 4U);
+    const MeshMaterials both =
+        read(text, {{"b", 1}, {"dark oak", 5}, {"", 0}, {"Dark_Oak", 7}, {"tin", 9}});
+    ASSERT_EQ(both.list.size(), 5U);
     EXPECT_EQ(both.list[0].color, Color(0.5F));
     EXPECT_EQ(both.list[1].color, Color(0.25F));
     EXPECT_EQ(both.list[2].color, Color(0.5F)); // grey, as what has no material
     EXPECT_EQ(both.list[2].name, "");
-    EXPECT_EQ(both.not_read, std::vector<std::string>{"c, which no library has"});
+    EXPECT_EQ(both.not_read, (std::vector<std::string>{
+                                 "usemtl Dark_Oak at line 7, which no mtllib has (taken as grey; "
+                                 "did you mean dark oak?)",
+                                 "usemtl tin at line 9, which no mtllib has (taken as grey)"}));
 
     write_file(folder + "/my lib.mtl", "newmtl a\nKd 0.75\n");
-    EXPECT_EQ(read_mtl({"my lib.mtl"}, {"a"}, folder).list[0].color, Color(0.75F));
-    EXPECT_EQ(read_mtl({"lib.mtl ./lib.mtl"}, {"b"}, folder).list[0].color, Color(0.5F));
-    EXPECT_EQ(read_mtl({"lib.mtl", "my lib.mtl"}, {"a"}, folder).list[0].color, Color(0.75F));
+    EXPECT_EQ(read_mtl({"my lib.mtl"}, {{"a", 1}}, folder).list[0].color, Color(0.75F));
+    EXPECT_EQ(read_mtl({"lib.mtl ./lib.mtl"}, {{"b", 1}}, folder).list[0].color, Color(0.5F));
+    EXPECT_EQ(read_mtl({"lib.mtl", "my lib.mtl"}, {{"a", 1}}, folder).list[0].color, Color(0.75F));
 
-    const MeshMaterials missing = read_mtl({"gone.mtl"}, {"a"}, folder);
+    const MeshMaterials missing = read_mtl({"gone.mtl"}, {{"a", 1}}, folder);
     EXPECT_TRUE(missing.list.empty());
     EXPECT_EQ(missing.problem, "there is no file gone.mtl beside it");
-    EXPECT_EQ(read_mtl({}, {"a"}, folder).problem,
+    EXPECT_EQ(read_mtl({}, {{"a", 1}}, folder).problem,
               "it names some, but no library of them (mtllib)");
     EXPECT_EQ(read_mtl({}, {}, folder).problem, "");
 }
