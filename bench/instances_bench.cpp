@@ -37,8 +37,9 @@ std::vector<Aggregate> bed(const std::shared_ptr<const Mesh>& mesh, std::size_t 
     const double half = 0.5 * std::sqrt(double(count) / 300);
     Random random(1, Purpose::test);
     for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 about = warp::sphere(Vec2f(random.uniform_float(), random.uniform_float()));
         WideMatrix place;
-        place.setAxisAngle(WideVec3(0, 1, 0), random.uniform(0, 2 * pi));
+        place.setAxisAngle(WideVec3(about), random.uniform(0, 2 * pi));
         const WideVec3 to(random.uniform(-half, half), random.uniform(0, 0.4),
                           random.uniform(-half, half));
         for (int axis = 0; axis < 3; ++axis)
@@ -121,7 +122,7 @@ void compare(const std::shared_ptr<const Mesh>& mesh, std::size_t count) {
         const double before = resident_bytes();
         way.build_s = cpu_seconds_of([&] {
             way.world.emplace(aggregates, std::span<const Light>{}, Context{}, WideVec3(0),
-                              way.many);
+                              WorldLimits{.many_instances = way.many});
         });
         way.resident = resident_bytes() - before;
     }

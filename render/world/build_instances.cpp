@@ -38,6 +38,21 @@ Box3 world_box(const InstanceRecord& record, const Box3& object) {
     return {centre - reach, centre + reach};
 }
 
+// The box of an instance of a shape whose reach is known.
+Box3 world_box(const InstanceRecord& record, const Box3& object, const Support& support) {
+    if (!support.known())
+        return world_box(record, object);
+    Box3 box = world_box(record, object);
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 along(record.rows[0][axis], record.rows[1][axis], record.rows[2][axis]);
+        const float at = record.rows[3][axis];
+        const float slack = rounding * std::max(std::abs(box.min[axis]), std::abs(box.max[axis]));
+        box.max[axis] = std::min(box.max[axis], at + support(along) + slack);
+        box.min[axis] = std::max(box.min[axis], at - support(-along) - slack);
+    }
+    return box;
+}
+
 // The ray in the frame of the instance. Its direction gets another length, so that distances stay
 // as they are.
 RTCRay within(const InstanceRecord& record, const RTCRay& ray) {
@@ -105,7 +120,21 @@ void World::State::enter(const Arguments* args) {
     embree::go_on(*args, state.prototypes[record.prototype].tree->scene.get(), ray, args->primID);
 }
 
+// For shapes of so few instances that finding their reach takes longer than boxes that are too
+// wide, none.
+void World::State::find_supports() {
+    constexpr std::size_t enough = 32;
+    std::map<const ShapeTree*, std::size_t> uses;
+    for (const InstanceRecord& record : instances)
+        ++uses[prototypes[record.prototype].tree];
+    supports.resize(prototypes.size());
+    for (std::size_t i = 0; i < prototypes.size(); ++i)
+        if (prototypes[i].mesh != nullptr && uses[prototypes[i].tree] >= enough)
+            supports[i] = Support(prototypes[i].mesh->positions);
+}
+
 void World::State::attach_together() {
+    find_supports();
     const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER));
     rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(instances.size()));
     rtcSetGeometryUserData(geometry.get(), this);
@@ -116,8 +145,9 @@ void World::State::attach_together() {
             const InstanceRecord& record = state.instances[args->primID];
             const PrototypeRecord& prototype = state.prototypes[record.prototype];
             // Embree leaves out what has an empty box.
-            const Box3 box =
-                shown(prototype, record) ? world_box(record, prototype.tree->bounds) : Box3();
+            const Box3 box = shown(prototype, record) ? world_box(record, prototype.tree->bounds,
+                                                                  state.supports[record.prototype])
+                                                      : Box3();
             *args->bounds_o = {box.min.x, box.min.y, box.min.z, 0,
                                box.max.x, box.max.y, box.max.z, 0};
         },

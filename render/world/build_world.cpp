@@ -176,14 +176,15 @@ void World::State::commit(const Context& context) {
 }
 
 World::World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
-             const Context& context, const WideVec3& origin, std::size_t many)
+             const Context& context, const WideVec3& origin, const WorldLimits& limits)
     : state_(std::make_unique<State>()) {
     state_->origin = origin;
+    state_->most_chords = limits.most_chords;
     state_->open_device();
     state_->scene = state_->new_scene();
     state_->check();
     state_->add_prototypes(aggregates, context);
-    state_->add_instances(aggregates, many);
+    state_->add_instances(aggregates, limits.many_instances);
     state_->lights.assign(lights.begin(), lights.end());
     for (Light& light : state_->lights)
         if (auto* area = std::get_if<AreaLight>(&light))

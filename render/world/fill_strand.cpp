@@ -34,29 +34,44 @@ void fill_uv(const StrandTree& tree, const StrandPoint& point, std::uint32_t fir
     hit.uv_per_metre = area > 0 ? 1 / std::sqrt(area) : 0;
 }
 
+// The cap of a chain of cones that stands for a spline, where `near` is beyond the spline's end.
+std::optional<StrandCap> cap_at(const StrandTree& tree, std::uint32_t segment, float along,
+                                std::size_t strand, const Vec3& near) {
+    const float end = along < 0.5F ? 0.0F : 1.0F;
+    const std::uint32_t last =
+        tree.strands->offsets[strand + (end > 0 ? 1 : 0)] - (end > 0 ? 4 : 0);
+    if (tree.chords.empty() || tree.is_fibre || tree.firsts[segment] != last)
+        return std::nullopt;
+    const std::optional<StrandCap> cap = end_cap(tree, segment, end);
+    return cap && (near - cap->centre).dot(cap->outwards) > 0 ? cap : std::nullopt;
+}
+
 } // namespace
 
 void World::State::fill_strand(const Ray& ray, const RawHit& found, Hit& hit) const {
     const InstanceRecord& record = instances[found.instance];
     const PrototypeRecord& prototype = prototypes[record.prototype];
     const StrandTree& tree = *prototype.strands;
-    const StrandCap* cap =
-        found.geometry == StrandTree::caps_id ? &tree.caps[found.primitive] : nullptr;
-    const std::uint32_t first = tree.firsts[cap != nullptr ? cap->segment : found.primitive];
+    const bool on_cap = found.geometry == StrandTree::caps_id;
+    const auto [segment, along] = on_cap ? std::pair(tree.caps[found.primitive].segment, 0.0F)
+                                         : tree.segment_at(found.primitive, found.barycentric.x);
+    const std::uint32_t first = tree.firsts[segment];
     const std::size_t strand = strand_of(*tree.strands, first);
     const Vec3 direction = record.inverse_direction(ray.direction);
     const Vec3 from = record.inverse_direction(ray.origin - record.rows[3]);
     const Vec3 near = from + direction * found.distance;
-    const StrandPoint point = cap != nullptr
-                                  ? onto_cap(tree, *cap, near)
-                                  : onto_segment(tree, found.primitive, near, found.barycentric.x);
+    const std::optional<StrandCap> cap =
+        on_cap ? tree.caps[found.primitive] : cap_at(tree, segment, along, strand, near);
+    const StrandPoint point =
+        cap ? onto_cap(tree, *cap, near) : onto_segment(tree, segment, near, along);
     hit.object_position = point.position;
     hit.position = record.point(point.position);
     hit.level = hit.position.y + float(origin.y);
     const Vec3 normal = record.normal(point.normal);
     hit.normal = hit.shading_normal = normal / std::sqrt(normal.dot(normal));
     hit.smooth = false;
-    hit.offset = std::max(offset_radii * point.radius * record.scale,
+    const float off = tree.chords.empty() ? offset_radii : offset_radii + chord_tolerance;
+    hit.offset = std::max(off * point.radius * record.scale,
                           rounding * (largest(hit.position) + largest(record.rows[3])));
     hit.random = record.random;
     if (!tree.strands->randoms.empty()) {

@@ -106,14 +106,55 @@ std::size_t strand_of(const Strands& strands, std::uint32_t first) {
            1;
 }
 
+std::vector<std::uint16_t> chord_counts(const Strands& splines, std::size_t most) {
+    constexpr float largest_count = 64; // of a piece, however sharply it bends
+    std::vector<std::uint16_t> counts;
+    counts.reserve(splines.segment_count());
+    std::size_t sum = 0;
+    for (std::size_t strand = 0; strand < splines.count(); ++strand)
+        for (std::uint32_t i = splines.offsets[strand]; i + 3 < splines.offsets[strand + 1]; ++i) {
+            const auto second = [&](std::uint32_t k) { // derivative; it is linear along the piece
+                const Vec3 p =
+                    splines.points[k] - splines.points[k + 1] * 2 + splines.points[k + 2];
+                const float r = splines.radii[k] - splines.radii[k + 1] * 2 + splines.radii[k + 2];
+                return std::sqrt(p.dot(p) + r * r);
+            };
+            const float radius = *std::max_element(&splines.radii[i], &splines.radii[i] + 4);
+            // A chord over the n-th part of the parameter is off by a share of 1 / (8 n^2) of it.
+            const float bend = std::max(second(i), second(i + 1));
+            const float count = std::ceil(std::sqrt(bend / (8 * chord_tolerance * radius)));
+            counts.push_back(count >= 1 ? static_cast<std::uint16_t>(std::min(count, largest_count))
+                                        : std::uint16_t{1});
+            sum += counts.back();
+            if (sum > most)
+                return {};
+        }
+    return counts;
+}
+
+std::size_t StrandTree::own_bytes() const {
+    return chords.size() * sizeof(Chord) + own_vertices.size() * sizeof(Vertex) +
+           own_firsts.size() * sizeof(std::uint32_t) + caps.size() * sizeof(StrandCap);
+}
+
+Vertex spline_vertex(const StrandTree& tree, std::uint32_t segment, float u) {
+    return Piece{tree.vertices + tree.firsts[segment]}.at(u);
+}
+
+std::optional<StrandCap> end_cap(const StrandTree& tree, std::uint32_t segment, float u) {
+    const Piece piece{tree.vertices + tree.firsts[segment]};
+    const Vertex end = piece.at(u);
+    const Vec3 outwards = position_of(piece.first(u)) * (u > 0 ? 1.0F : -1.0F);
+    if (!(end.w > 0 && outwards.dot(outwards) > 0))
+        return std::nullopt;
+    return StrandCap{position_of(end), end.w, unit(outwards), u, segment};
+}
+
 std::vector<StrandCap> end_caps(const StrandTree& tree) {
     std::vector<StrandCap> caps;
     const auto add = [&](std::uint32_t segment, float u) {
-        const Piece piece{tree.vertices + tree.firsts[segment]};
-        const Vertex end = piece.at(u);
-        const Vec3 outwards = position_of(piece.first(u)) * (u > 0 ? 1.0F : -1.0F);
-        if (end.w > 0 && outwards.dot(outwards) > 0)
-            caps.push_back({position_of(end), end.w, unit(outwards), u, segment});
+        if (const std::optional<StrandCap> cap = end_cap(tree, segment, u))
+            caps.push_back(*cap);
     };
     const Strands& splines = *tree.strands;
     const auto more = static_cast<std::uint32_t>(splines.piece_points() - 1);

@@ -6,6 +6,8 @@
 #include "render/world/shape_tree.h"
 
 #include <ImathVec.h>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace scree {
@@ -20,7 +22,21 @@ struct alignas(16) StrandCap {
     std::uint32_t segment = 0;
 };
 
-/// What instances of the same strands share. The vertices and segments are Embree's own.
+/// One of the cones that stand for a piece of a spline in Embree's tree.
+struct Chord {
+    std::uint32_t piece = 0;
+    std::uint16_t number = 0; // along the piece
+    std::uint16_t of = 1;     // how many the piece has
+};
+
+/// Into how many cones the pieces of splines are cut so that none lies farther off the spline's
+/// surface than `chord_tolerance`; empty when there are more than `most` in all.
+std::vector<std::uint16_t> chord_counts(const Strands& splines, std::size_t most);
+
+/// In radii.
+inline constexpr float chord_tolerance = 0.01F;
+
+/// What instances of the same strands share.
 struct StrandTree : ShapeTree {
     static constexpr unsigned segments_id = 0; // of the geometry
     static constexpr unsigned caps_id = 1;
@@ -29,6 +45,24 @@ struct StrandTree : ShapeTree {
     const Imath::V4f* vertices = nullptr;  // position and radius [m]
     const std::uint32_t* firsts = nullptr; // of each segment, its first vertex
     std::vector<StrandCap> caps;
+    bool is_fibre = false; // too thin for its ends to be seen: they have no caps
+
+    // Of splines that Embree sees as chains of cones. Otherwise empty, and the vertices and
+    // segments are Embree's.
+    std::vector<Chord> chords; // by Embree's primitive
+    std::vector<Imath::V4f> own_vertices;
+    std::vector<std::uint32_t> own_firsts;
+
+    /// What it takes beside Embree's memory [B].
+    std::size_t own_bytes() const;
+
+    /// The segment of Embree's primitive, and how far along it a hit at `u` of that is.
+    std::pair<std::uint32_t, float> segment_at(std::uint32_t primitive, float u) const {
+        if (chords.empty())
+            return {primitive, u};
+        const Chord& chord = chords[primitive];
+        return {chord.piece, (static_cast<float>(chord.number) + u) / static_cast<float>(chord.of)};
+    }
 };
 
 /// A point of a strand's surface, in the object's frame.
@@ -43,6 +77,13 @@ struct StrandPoint {
 
 /// The caps of both ends of all splines of the tree, but for ends without a radius.
 std::vector<StrandCap> end_caps(const StrandTree& tree);
+
+/// The cap of a spline's end, at the end `u` (0 or 1) of a segment; none for an end without a
+/// radius.
+std::optional<StrandCap> end_cap(const StrandTree& tree, std::uint32_t segment, float u);
+
+/// The position and radius of the spline at the fraction `u` of a segment.
+Imath::V4f spline_vertex(const StrandTree& tree, std::uint32_t segment, float u);
 
 /// The strand that a segment belongs to, by the segment's first vertex.
 std::size_t strand_of(const Strands& strands, std::uint32_t first);

@@ -156,7 +156,8 @@ void World::prefetch(const RawHit& raw) const {
     const InstanceRecord& record = state_->instances[raw.instance];
     const PrototypeRecord& prototype = state_->prototypes[record.prototype];
     if (prototype.strands != nullptr && raw.geometry == StrandTree::segments_id)
-        __builtin_prefetch(&prototype.strands->firsts[raw.primitive]);
+        __builtin_prefetch(
+            &prototype.strands->firsts[prototype.strands->segment_at(raw.primitive, 0).first]);
     else if (prototype.strands == nullptr)
         __builtin_prefetch(&prototype.triangles[raw.primitive]);
 }
@@ -211,6 +212,8 @@ std::size_t World::State::record_bytes() const {
     std::size_t sum = instances.capacity() * sizeof(InstanceRecord);
     for (const auto& [mesh, tree] : mesh_trees)
         sum += tree.triangles.size() * sizeof(TriangleRecord);
+    for (const auto& [strands_of, tree] : strand_trees)
+        sum += tree.own_bytes();
     return sum;
 }
 

@@ -73,22 +73,29 @@ struct RawHit {
     bool found() const { return geometry != Hit::none; }
 };
 
+/// Where a world changes from one way to keep what it holds to another.
+struct WorldLimits {
+    /// From so many instances on all are kept together, which takes a third of the memory and less
+    /// time (docs/instances.md).
+    std::size_t many_instances = 1'000;
+
+    /// A shape's splines are chains of cones, which rays meet half as fast again as Embree's own
+    /// splines, unless they would be more than so many: they take more memory.
+    std::size_t most_chords = 1'000'000;
+};
+
 /// Aggregates and area lights, ready for rays. Prototypes that share a shape share its tree, the
 /// bounding volumes in which Embree finds it. Thread-safe once built.
 class World {
   public:
-    /// From so many instances on all are kept together, which takes a third of the memory and no
-    /// more time; rays meet fewer about 10 % faster one by one (docs/instances.md).
-    static constexpr std::size_t many_instances = 100'000;
-
     /// Rays, hits and lights are relative to `origin`: near the camera, so that what is seen there
     /// keeps its precision however far from the scene's own origin it lies. Keeps the meshes and
     /// strands alive, not the aggregates. Throws Error (resource) when Embree runs out of memory,
     /// Error (input) for a material that its shape cannot have, Cancelled on the context's cancel.
-    /// `many` is many_instances, but for tests and measurements.
+    /// The limits are the defaults but for tests and measurements.
     World(std::span<const Aggregate> aggregates, std::span<const Light> lights,
           const Context& context = {}, const WideVec3& origin = WideVec3(0),
-          std::size_t many = many_instances);
+          const WorldLimits& limits = {});
     ~World();
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;

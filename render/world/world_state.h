@@ -4,6 +4,7 @@
 
 #include "render/world/instance_record.h"
 #include "render/world/strand_tree.h"
+#include "render/world/support.h"
 #include "render/world/triangle_record.h"
 #include "render/world/world.h"
 
@@ -46,12 +47,14 @@ struct World::State {
     std::vector<std::shared_ptr<const Strands>> strands;                // likewise kept alive
     std::vector<PrototypeRecord> prototypes; // of all aggregates, one after the other
     std::vector<InstanceRecord> instances;   // likewise
+    std::vector<Support> supports;           // of prototypes, where boxes of instances need them
     std::vector<std::shared_ptr<const Material>> materials; // first that of what has none
     WideVec3 origin{0, 0, 0};                               // what all below is relative to
     std::vector<Light> lights;
     std::vector<std::uint32_t> light_of_quad; // of each area light, its index into `lights`
     std::vector<Vec3> light_vertices;         // four for each area light
     embree::SceneHandle scene;
+    std::size_t most_chords = 0;
     std::size_t triangles = 0; // of all instances
     StrandFigures strand_figures;
 
@@ -78,6 +81,7 @@ struct World::State {
     void count_shapes(const InstanceRecord& record);
     void attach_each();
     void attach_together();
+    void find_supports();
     template <class Arguments>
     static void enter(const Arguments* args);
 

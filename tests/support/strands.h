@@ -37,10 +37,13 @@ inline Strands random_chains(Random& random, std::size_t count, int segments, fl
     return strands;
 }
 
+/// Splines as Embree's own, not as cones.
+inline constexpr WorldLimits no_chords{.most_chords = 0};
+
 /// A world of strands alone.
 inline World strand_world(const Strands& strands, const Material& material,
                           const std::vector<WideMatrix>& places = {WideMatrix()},
-                          const std::vector<float>& randoms = {}) {
+                          const std::vector<float>& randoms = {}, const WorldLimits& limits = {}) {
     Aggregate aggregate;
     aggregate.generator = "object";
     aggregate.prototypes.push_back({.name = "strands",
@@ -50,7 +53,7 @@ inline World strand_world(const Strands& strands, const Material& material,
         aggregate.instances.push_back({.prototype = 0,
                                        .world_from_object = places[i],
                                        .random = randoms.empty() ? 0 : randoms[i]});
-    return World({&aggregate, 1}, {});
+    return World({&aggregate, 1}, {}, {}, WideVec3(0), limits);
 }
 
 /// A point of a piece of a uniform cubic B-spline, by de Boor's recurrence.

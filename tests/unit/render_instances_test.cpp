@@ -18,7 +18,7 @@ constexpr std::size_t together = 0;
 
 World world_of(const std::vector<Aggregate>& aggregates, std::size_t way,
                const std::vector<Light>& lights = {}, const WideVec3& origin = WideVec3(0)) {
-    return World(aggregates, lights, {}, origin, way);
+    return World(aggregates, lights, {}, origin, {.many_instances = way});
 }
 
 // Turned, stretched, sheared, in one case of two mirrored, and moved.
@@ -111,8 +111,9 @@ TEST(Instances, BothWaysMeetTheSame) {
                 instances.insert(a.instance);
             Hit hit;
             other.fill(ray, b, hit);
-            ASSERT_LT((hit.position - ray.origin - ray.direction * b.distance).length(),
-                      far > 0 ? 1e-2F : 5e-3F);
+            // The ends of fibres, balls in Embree's tree, are taken to their tubes.
+            const float allowed = hit.tangent != Vec3(0.0F) ? 0.1F : far > 0 ? 1e-2F : 5e-3F;
+            ASSERT_LT((hit.position - ray.origin - ray.direction * b.distance).length(), allowed);
         }
         EXPECT_LE(unlike, far > 0 ? 200 : 10);
         EXPECT_GT(lit, 10);
@@ -162,7 +163,7 @@ std::vector<Aggregate> many_spheres(std::size_t count) {
 }
 
 TEST(Instances, ManyTakeLittleMemory) {
-    const std::size_t count = World::many_instances;
+    const std::size_t count = 100'000;
     const std::vector<Aggregate> aggregates = many_spheres(count);
     const World world(aggregates, {});
     EXPECT_LT(world.memory_bytes() / count, 160U);
@@ -194,7 +195,8 @@ TEST(Instances, BuildsOfManyCanBeCancelled) {
     cancel.request();
     Context context;
     context.cancel = &cancel;
-    EXPECT_THROW(World(mixed_scene(10), {}, context, WideVec3(0), together), Cancelled);
+    EXPECT_THROW(World(mixed_scene(10), {}, context, WideVec3(0), {.many_instances = together}),
+                 Cancelled);
 }
 
 } // namespace

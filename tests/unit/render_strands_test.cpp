@@ -109,13 +109,11 @@ TEST(Strands, HitsOfASplineLieOnItsSurface) {
     test::add_strand(strands,
                      {{0, 0, 0}, {0.1F, 0.3F, 0}, {0, 0.6F, 0.2F}, {-0.3F, 0.7F, 0}, {0, 1, 0}},
                      std::vector<float>(5, radius));
-    const World world = strand_world(strands, Fibre{});
-    EXPECT_EQ(world.strand_figures().segments, 2U);
     std::vector<Vec3> middle;
     for (int k = 1; k < 20; ++k)
         middle.push_back(
             test::spline_point(&strands.points[k / 10], static_cast<float>(k % 10) / 10));
-    for_hits(world, middle, radius / 2, 1000, [&](const Ray& ray, const Hit& hit) {
+    const auto on_surface = [&](const Ray& ray, const Hit& hit) {
         float nearest = INFINITY;
         Vec3 centre;
         float at = 0;
@@ -133,8 +131,13 @@ TEST(Strands, HitsOfASplineLieOnItsSurface) {
         EXPECT_GT(hit.normal.dot((hit.position - centre).normalized()), 0.9999F);
         EXPECT_NEAR(hit.uv.x, at, 1e-3F);
         EXPECT_LT(std::abs(hit.tangent.dot(hit.normal)), 1e-3F);
-        EXPECT_LT(hit.normal.dot(ray.direction), 0.01F);
-    });
+        EXPECT_LT(hit.normal.dot(ray.direction), 0.1F);
+    };
+    for (const WorldLimits& limits : {WorldLimits{}, test::no_chords}) {
+        const World world = strand_world(strands, Fibre{}, {{}}, {}, limits);
+        EXPECT_EQ(world.strand_figures().segments, 2U);
+        for_hits(world, middle, radius / 2, 1000, on_surface);
+    }
 }
 
 // A straight spline of constant radius with round ends is a capsule.
@@ -148,28 +151,30 @@ TEST(Strands, SplinesAreClosedByHalfBalls) {
     const auto distance = [&](const Vec3& p) {
         return (p - Vec3(std::clamp(p.x, 0.0F, 0.5F), 0, 0)).length() - radius;
     };
-    const World world = strand_world(strands, Plastic{});
-    int on_caps = 0;
-    for_hits(world, {Vec3(-0.05F, 0, 0), Vec3(0.55F, 0, 0)}, radius, 4000,
-             [&](const Ray& ray, const Hit& hit) {
-                 EXPECT_NEAR(distance(hit.position), 0, 1e-5F);
-                 const float t = hit.distance; // sphere tracing is an oracle for convex shapes
-                 Vec3 p = ray.origin;
-                 for (int i = 0; i < 300; ++i)
-                     p += ray.direction * distance(p);
-                 EXPECT_NEAR((p - ray.origin).length(), t, 0.02F * radius);
-                 on_caps += hit.position.x < 0 || hit.position.x > 0.5F;
-                 EXPECT_LT(hit.normal.dot(ray.direction), 0.02F);
-             });
-    EXPECT_GT(on_caps, 1000);
-    // From inside there is one way out, and nothing between.
-    Random random(35, Purpose::test);
-    for (int i = 0; i < 1000; ++i) {
-        const Ray ray{{0.5F * random.uniform_float(), 0, 0}, random_direction(random)};
-        Hit hit;
-        ASSERT_TRUE(world.hit(ray, hit));
-        EXPECT_NEAR(distance(ray.origin + ray.direction * hit.distance), 0, 0.05F * radius);
-        EXPECT_GT(hit.normal.dot(ray.direction), 0);
+    for (const WorldLimits& limits : {WorldLimits{}, test::no_chords}) {
+        const World world = strand_world(strands, Plastic{}, {{}}, {}, limits);
+        int on_caps = 0;
+        for_hits(world, {Vec3(-0.05F, 0, 0), Vec3(0.55F, 0, 0)}, radius, 4000,
+                 [&](const Ray& ray, const Hit& hit) {
+                     EXPECT_NEAR(distance(hit.position), 0, 1e-5F);
+                     const float t = hit.distance; // sphere tracing is an oracle for convex shapes
+                     Vec3 p = ray.origin;
+                     for (int i = 0; i < 300; ++i)
+                         p += ray.direction * distance(p);
+                     EXPECT_NEAR((p - ray.origin).length(), t, 0.02F * radius);
+                     on_caps += hit.position.x < 0 || hit.position.x > 0.5F;
+                     EXPECT_LT(hit.normal.dot(ray.direction), 0.02F);
+                 });
+        EXPECT_GT(on_caps, 1000);
+        // From inside there is one way out, and nothing between.
+        Random random(35, Purpose::test);
+        for (int i = 0; i < 1000; ++i) {
+            const Ray ray{{0.5F * random.uniform_float(), 0, 0}, random_direction(random)};
+            Hit hit;
+            ASSERT_TRUE(world.hit(ray, hit));
+            EXPECT_NEAR(distance(ray.origin + ray.direction * hit.distance), 0, 0.05F * radius);
+            EXPECT_GT(hit.normal.dot(ray.direction), 0);
+        }
     }
 }
 
@@ -201,6 +206,65 @@ TEST(Strands, CapsKnowTheirEnds) {
         EXPECT_EQ(point.axis.x < 0, end == 1) << "towards the tip";
         EXPECT_LT((point.normal - cap.outwards).length(), 1e-6F);
     }
+}
+
+// Chains of cones lie as near to their splines as they should, and follow them from end to end.
+TEST(Strands, ConesFollowTheirSplines) {
+    Random random(36, Purpose::test);
+    for (const float bend : {0.05F, 0.5F, 1.5F}) {
+        const float radius = 2e-3F;
+        const Strands curves =
+            test::random_chains(random, 30, 12, 8e-3F, radius, bend, CurveKind::bspline);
+        const std::vector<std::uint16_t> counts = chord_counts(curves, 1'000'000);
+        ASSERT_EQ(counts.size(), curves.segment_count());
+        std::size_t piece = 0;
+        float farthest = 0;
+        for (std::size_t strand = 0; strand < curves.count(); ++strand)
+            for (std::uint32_t i = curves.offsets[strand]; i + 3 < curves.offsets[strand + 1];
+                 ++i, ++piece)
+                for (int k = 0; k < counts[piece]; ++k) {
+                    const auto at = [&](float t) {
+                        return test::spline_point(&curves.points[i],
+                                                  (static_cast<float>(k) + t) / counts[piece]);
+                    };
+                    const Vec3 a = at(0), side = at(1) - a;
+                    for (int j = 1; j < 10; ++j) {
+                        const Vec3 off = at(static_cast<float>(j) / 10) - a;
+                        farthest = std::max(
+                            farthest, (off - side * (off.dot(side) / side.dot(side))).length());
+                    }
+                }
+        EXPECT_LE(farthest, 1.001F * chord_tolerance * radius) << bend;
+        EXPECT_GE(farthest, 0.1F * chord_tolerance * radius) << "no more cones than needed";
+        EXPECT_TRUE(chord_counts(curves, curves.segment_count() - 1).empty());
+    }
+}
+
+// A ray that leaves outwards meets its own spline again only across a bend.
+TEST(Strands, OutwardRaysLeaveTheConesOfTheirSpline) {
+    Random random(37, Purpose::test);
+    const float radius = 1e-3F;
+    int tried = 0;
+    for (int strand = 0; strand < 60; ++strand) {
+        const Strands curve =
+            test::random_chains(random, 1, 12, 8e-3F, radius, 0.3F, CurveKind::bspline);
+        const World world = strand_world(curve, Matte{});
+        for (int i = 0; i < 1000; ++i) {
+            const Vec3 target = curve.points[random.below(13)];
+            Hit hit;
+            if (!world.hit(towards(target + random_direction(random) * 0.5F,
+                                   target + random_direction(random) * radius),
+                           hit))
+                continue;
+            Vec3 out = random_direction(random);
+            out = out.dot(hit.normal) < 0 ? -out : out;
+            Ray leaving = hit.leave(out);
+            leaving.length = 0.3F * radius;
+            EXPECT_FALSE(world.occluded(leaving)) << out.dot(hit.normal);
+            ++tried;
+        }
+    }
+    EXPECT_GT(tried, 10'000);
 }
 
 // How many of `count` rays that leave a random hit outwards meet the segment that they leave.
@@ -312,7 +376,8 @@ TEST(Strands, TakeLittleMemory) {
     // 11 pieces in place of 32 segments.
     const Strands curves =
         test::random_chains(random, 4000, 13, 24e-3F, 1e-3F, 0.5F, CurveKind::bspline);
-    const StrandFigures spline = strand_world(curves, Fibre{}).strand_figures();
+    const StrandFigures spline =
+        strand_world(curves, Fibre{}, {{}}, {}, test::no_chords).strand_figures();
     EXPECT_EQ(spline.segments, 44'000U);
     EXPECT_LE(double(spline.bytes) / 128'000, 36);
     RecordProperty("linear_bytes_per_segment",

@@ -54,7 +54,8 @@ TEST_P(WorldOfBoth, AgreesWithBruteForce) {
                                     {std::make_shared<const Material>(Metal{})}});
     for (int i = 0; i < 20; ++i)
         aggregate.instances.push_back({0, WideMatrix(skewed(random)), 0.0F, 0.0F, 1.0F});
-    const World world(std::span(&aggregate, 1), {}, {}, WideVec3(0), GetParam());
+    const World world(std::span(&aggregate, 1), {}, {}, WideVec3(0),
+                      {.many_instances = GetParam()});
     EXPECT_EQ(world.instance_count(), 20U);
     EXPECT_EQ(world.triangle_count(), 20 * mesh.triangles.size());
     EXPECT_EQ(world.materials().size(), 2U);
@@ -120,7 +121,8 @@ TEST_P(WorldOfBoth, RaysThatLeaveDoNotMeetTheirSurface) {
             test::Stage stage;
             stage.add(test::make_sphere(1, 24, false), test::grey_matte(1),
                       s * m * test::move(Vec3(distance, distance * 0.5F, -distance)));
-            const World world(stage.aggregates, {}, {}, WideVec3(0), GetParam());
+            const World world(stage.aggregates, {}, {}, WideVec3(0),
+                              {.many_instances = GetParam()});
             const Vec3 centre(distance, distance * 0.5F, -distance);
             int met = 0;
             for (int i = 0; i < 20000; ++i) {
