@@ -120,7 +120,8 @@ void add_bake_command(CLI::App& app, Run& run) {
                     "File to write: .json, .svg, .png, .exr, .stl or .3mf")
         ->required();
     command
-        ->add_option("--size", options->look.pixels, "Pixels of the longer side of a .png or .exr")
+        ->add_option("--size", options->look.pixels,
+                     "Pixels of the longer side of a .png or .exr; 1600 by default")
         ->check(problem_of_size)
         ->type_name("PIXELS");
     command

@@ -51,8 +51,10 @@ int check(const CheckOptions& options) {
     const auto generators = std::size_t(std::ranges::count_if(
         draft.items, [](const auto& item) { return item->kind != "object"; }));
     const Scene& scene = draft.scene;
+    const std::size_t warned = run.console.warnings();
     if (!options.scene.quiet)
-        fmt::print("{}: no mistakes: {}, {}, {}, {} x {} pixels\n", scene.name,
+        fmt::print("{}: {}: {}, {}, {}, {} x {} pixels\n", scene.name,
+                   warned == 0 ? "no mistakes" : "no errors, " + counted(warned, "warning"),
                    counted(generators, "generator"),
                    counted(draft.items.size() - generators, "object"),
                    counted(scene.lights.size(), "light"), scene.film.width, scene.film.height);

@@ -274,7 +274,8 @@ void add_render_command(CLI::App& app, Run& run) {
         ->type_name("WxH");
     command
         ->add_option("--crop", options->crop,
-                     "Render this part of the picture only; it keeps its place in the .exr")
+                     "Render this part of the picture only, in pixels from its top left corner; it "
+                     "keeps its place in the .exr")
         ->type_name("x,y,w,h");
     command->add_option("--seed", options->seed, "Seed of the samples; not of the scene");
     command

@@ -65,6 +65,8 @@ Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) !=
 Console::~Console() { clear(); }
 
 void Console::say(const std::string& line) {
+    if (line.starts_with("warning: "))
+        ++warnings_;
     if (quiet_)
         return;
     clear();

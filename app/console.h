@@ -28,8 +28,12 @@ class Console final : public Watcher {
     /// Removes the bar.
     void clear();
 
+    /// How many lines said so far are warnings.
+    std::size_t warnings() const { return warnings_; }
+
   private:
     bool quiet_;
+    std::size_t warnings_ = 0;
     bool terminal_;
     bool bar_shown_ = false;
     int picture_rows_ = 0; // of the picture above the cursor, if any

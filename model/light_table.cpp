@@ -78,7 +78,8 @@ Plugin<MakeLight> sky_plugin() {
          {.name = "image",
           .type = ParamType::path,
           .doc = "A latitude-longitude image (HDR, EXR, PNG or JPEG), multiplied by color, twice "
-                 "as wide as high; its top row is the zenith, its centre lies in direction -z.",
+                 "as wide as high; its top row is the zenith, its centre lies in direction "
+                 "-z, the middle of its right half in +x.",
           .optional = true},
          layer_spec(),
          {.name = "rotation",

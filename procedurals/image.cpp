@@ -49,7 +49,7 @@ Plugin<MakeProcedural> image_plugin() {
             {.name = "copies",
              .type = ParamType::vector2,
              .doc = "How many copies of the picture lie side by side over the UV square, along u "
-                    "and v; below 1: the lower left part of one.",
+                    "and v; more than 1 need repeats; below 1: the lower left part of one.",
              .fallback = Vec2(1, 1)},
             {.name = "ground",
              .type = ParamType::color,

@@ -124,8 +124,8 @@ std::vector<ParamSpec> elements_specs() {
          .max = 1e6},
         {.name = "spacing_by",
          .type = ParamType::field,
-         .doc = "Multiplies the distances alone, by place: how far apart the elements stand; below "
-                "1 they may overlap.",
+         .doc = "Multiplies the distances alone, by place: how far apart the elements stand: below "
+                "1 closer, so that they may overlap.",
          .optional = true,
          .min = 1e-3,
          .max = 1e6},

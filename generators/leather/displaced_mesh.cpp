@@ -7,6 +7,7 @@
 #include "geometry/mesh/triangle_corners.h"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 namespace scree {
@@ -57,21 +58,8 @@ class Refinement {
 
     /// Halves all edges that are longer than `limit` [m], once.
     void split(float limit) {
-        middles_.clear();
-        std::vector<Mesh::Triangle> triangles;
-        triangles.reserve(2 * mesh_.triangles.size());
-        for (const Mesh::Triangle& t : mesh_.triangles) {
-            std::array<std::uint32_t, 3> m{};
-            std::array<bool, 3> halved{};
-            for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-                halved[k] = (mesh_.positions[a] - mesh_.positions[b]).length() > limit;
-                if (halved[k])
-                    m[k] = middle(a, b);
-            }
-            append(triangles, t, m, halved);
-        }
-        mesh_.triangles = std::move(triangles);
+        split_if(
+            [&](std::uint32_t a, std::uint32_t b, std::size_t) { return length(a, b) > limit; });
     }
 
     /// How many triangles `split(limit)` would make.
@@ -79,17 +67,22 @@ class Refinement {
         std::size_t count = mesh_.triangles.size();
         for (const Mesh::Triangle& t : mesh_.triangles)
             for (std::size_t k = 0; k < 3; ++k)
-                count += (mesh_.positions[t[k]] - mesh_.positions[t[(k + 1) % 3]]).length() > limit;
+                count += length(t[k], t[(k + 1) % 3]) > limit;
         return count;
     }
+
+    /// Halves the edges off which the map lies by more than `tolerance` [m], once: never to more
+    /// than `most` triangles, and first those with most room between. Returns whether there were
+    /// any.
+    bool split_where_bent(const HeightField& field, const Vec2& tiles, float tolerance,
+                          std::size_t most);
 
     float longest_edge() const {
         float longest = 0;
         for (const Mesh::Triangle& t : mesh_.triangles)
             for (std::size_t k = 0; k < 3; ++k)
-                longest = std::max(
-                    longest, (mesh_.positions[t[k]] - mesh_.positions[t[(k + 1) % 3]]).length2());
-        return std::sqrt(longest);
+                longest = std::max(longest, length(t[k], t[(k + 1) % 3]));
+        return longest;
     }
 
     Mesh& mesh() { return mesh_; }
@@ -99,6 +92,36 @@ class Refinement {
     void displace(const HeightField& field, const Vec2& tiles, double blend);
 
   private:
+    /// Which edges, by 3 * triangle + corner, lie on a seam or a crease: the triangles on their
+    /// two sides have vertices of their own, with UVs that may differ.
+    std::vector<bool> torn_edges() const;
+
+    float length(std::uint32_t a, std::uint32_t b) const {
+        return (mesh_.positions[a] - mesh_.positions[b]).length();
+    }
+
+    /// Halves the edges of which `halve(a, b, 3 * triangle + corner)` holds: for both triangles of
+    /// an edge alike.
+    template <class Halve>
+    void split_if(const Halve& halve) {
+        middles_.clear();
+        std::vector<Mesh::Triangle> triangles;
+        triangles.reserve(2 * mesh_.triangles.size());
+        for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+            const Mesh::Triangle t = mesh_.triangles[i];
+            std::array<std::uint32_t, 3> m{};
+            std::array<bool, 3> halved{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+                halved[k] = halve(a, b, 3 * i + k);
+                if (halved[k])
+                    m[k] = middle(a, b);
+            }
+            append(triangles, t, m, halved);
+        }
+        mesh_.triangles = std::move(triangles);
+    }
+
     static void append(std::vector<Mesh::Triangle>& out, const Mesh::Triangle& t,
                        const std::array<std::uint32_t, 3>& m, const std::array<bool, 3>& halved) {
         const int count = halved[0] + halved[1] + halved[2];
@@ -159,6 +182,68 @@ class Refinement {
     std::vector<Place> places_;        // by that vertex
     std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
+
+std::vector<bool> Refinement::torn_edges() const {
+    std::vector<bool> shared(place_.size()); // places of several vertices
+    for (std::uint32_t i = 0; i < place_.size(); ++i)
+        if (place_[i] != i)
+            shared[place_[i]] = true;
+    using Ends = std::pair<std::uint32_t, std::uint32_t>;
+    std::map<Ends, std::pair<Ends, std::size_t>> open; // by places: the vertices, and which edge
+    std::vector<bool> torn(3 * mesh_.triangles.size());
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = mesh_.triangles[i][k], b = mesh_.triangles[i][(k + 1) % 3];
+            if (!shared[place_[a]] && !shared[place_[b]])
+                continue;
+            const Ends vertices = std::minmax(a, b);
+            const Ends places = std::minmax(place_[a], place_[b]);
+            const auto [found, first] = open.try_emplace(places, vertices, 3 * i + k);
+            if (!first && found->second.first != vertices)
+                torn[3 * i + k] = torn[found->second.second] = true;
+        }
+    return torn;
+}
+
+bool Refinement::split_where_bent(const HeightField& field, const Vec2& tiles, float tolerance,
+                                  std::size_t most) {
+    const auto offset_at = [&](const Vec2f& uv) {
+        return field.offset(Vec2(double(uv.x) * tiles.x, double(uv.y) * tiles.y));
+    };
+    std::vector<Vec3> offsets(mesh_.positions.size());
+    parallel_for(offsets.size(), 1024,
+                 [&](std::size_t i) { offsets[i] = offset_at(mesh_.uvs[i]); });
+    const std::vector<bool> torn = torn_edges();
+    std::vector<float> areas(3 * mesh_.triangles.size()); // between the map and the edge, about
+    parallel_for(mesh_.triangles.size(), 1024, [&](std::size_t i) {
+        const Mesh::Triangle& t = mesh_.triangles[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = std::min(t[k], t[(k + 1) % 3]);
+            const std::uint32_t b = std::max(t[k], t[(k + 1) % 3]);
+            if (torn[3 * i + k])
+                continue;
+            float bend = 0;
+            for (const float at : {0.25F, 0.5F, 0.75F})
+                bend = std::max(bend, (offset_at(mesh_.uvs[a] * (1 - at) + mesh_.uvs[b] * at) -
+                                       (offsets[a] * (1 - at) + offsets[b] * at))
+                                          .length());
+            if (bend > tolerance)
+                areas[3 * i + k] = bend * length(a, b);
+        }
+    });
+    // Each edge halved in a triangle makes one triangle more.
+    const std::size_t room = most - std::min(most, mesh_.triangles.size());
+    float least = 0;
+    if (room < areas.size()) {
+        std::vector<float> sorted = areas;
+        std::ranges::nth_element(sorted, sorted.begin() + std::ptrdiff_t(room), std::greater());
+        least = sorted[room];
+    }
+    if (std::ranges::none_of(areas, [&](float area) { return area > least; }))
+        return false;
+    split_if([&](std::uint32_t, std::uint32_t, std::size_t edge) { return areas[edge] > least; });
+    return true;
+}
 
 void Refinement::displace(const HeightField& field, const Vec2& tiles, double blend) {
     const std::size_t count = mesh_.positions.size();
@@ -231,17 +316,28 @@ Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t tria
                     double blend) {
     Refinement refined(mesh);
     const Vec2 tiles = tile_repeats(mesh, field.size);
+    // Half of the triangles are of one size, the others go to where the relief bends.
+    const std::size_t even = std::max(mesh.triangles.size(), triangles / 2);
     // Halved edges end between half the limit and the limit: triangles of about 0.6 of it.
     const auto limit =
-        static_cast<float>(1.6 * std::sqrt(4 / std::sqrt(3.0) * area(mesh) / double(triangles)));
+        static_cast<float>(1.6 * std::sqrt(4 / std::sqrt(3.0) * area(mesh) / double(even)));
     while (true) {
         const float longest = refined.longest_edge();
         float split_above = limit;
-        while (split_above < longest && refined.count_after_split(split_above) > triangles)
+        while (split_above < longest && refined.count_after_split(split_above) > even)
             split_above *= 1.05F;
         if (split_above >= longest)
             break;
         refined.split(split_above);
+    }
+    constexpr int rounds = 4; // edges down to a sixteenth
+    constexpr double flat = 0.002;
+    const auto [low, high] = std::ranges::minmax(field.image.pixels);
+    for (int round = 0; round < rounds; ++round) {
+        const std::size_t count = refined.mesh().triangles.size();
+        const std::size_t most = count + (triangles - count) / std::size_t(rounds - round);
+        if (!refined.split_where_bent(field, tiles, static_cast<float>(flat * (high - low)), most))
+            break;
     }
     refined.displace(field, tiles, blend);
     return std::move(refined.mesh());

@@ -19,12 +19,12 @@ Mesh displaced_swatch(const HeightField& field, double thickness, std::size_t tr
 Mesh displaced_sphere(const HeightField& field, const Vec3& centre, double radius,
                       const Vec3& facing, std::size_t triangles);
 
-/// Any mesh with UVs: edges are halved, the longest first, as long as there are at most `triangles`
-/// triangles, or as many as the mesh has, along curves that
-/// follow its normals (Vlachos et al. 2001), then moved along those normals. The tile repeats a
-/// whole number of times over the unit square, as near to its true size as can be, so that closed
-/// surfaces stay seamless. Points at one place stay at one place: seams do not open, and the maps
-/// of their two sides fade into each other within `blend` [m].
+/// Any mesh with UVs: edges are halved, the longest first and then those along which the map bends
+/// most, as long as there are at most `triangles` triangles, or as many as the mesh has, along
+/// curves that follow its normals (Vlachos et al. 2001), then moved along those normals. The tile
+/// repeats a whole number of times over the unit square, as near to its true size as can be, so
+/// that closed surfaces stay seamless. Points at one place stay at one place: seams do not open,
+/// and the maps of their two sides fade into each other within `blend` [m].
 Mesh displaced_mesh(const HeightField& field, const Mesh& mesh, std::size_t triangles,
                     double blend);
 

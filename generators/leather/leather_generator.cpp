@@ -108,6 +108,20 @@ void check(const CoverSettings& cover) {
 // of 2 : 1 whose UVs fill each side, which rounding of its edges would else decide.
 constexpr double visible_stretch = 1.49;
 
+/// Warns where a whole number of tiles over the UVs are notably larger or smaller than asked for.
+void warn_of_size(const Params& params, const Mesh& shape, double tile) {
+    constexpr double notable = 1.1;
+    const Vec2 laid = laid_size(shape, {tile, tile});
+    const double factor = std::sqrt(laid.x * laid.y) / tile;
+    if (factor < notable && 1 / factor < notable)
+        return;
+    params.warn("size",
+                fmt::format("a whole number of tiles over the UVs of {} makes each {:.3g} x {:.3g} "
+                            "mm, not {:.3g}, and its cells {:.2f} times as large",
+                            shape.name, 1e3 * laid.x, 1e3 * laid.y, 1e3 * tile, factor),
+                fmt::format("size = {:.3g} fits", factor * tile));
+}
+
 /// Warns where the shape's UVs do not let the tile keep its size and shape.
 void warn_of_stretch(const Params& params, const CoverSettings& cover, double tile) {
     Vec3 centre;
@@ -129,6 +143,8 @@ void warn_of_stretch(const Params& params, const CoverSettings& cover, double ti
             name == "box"
                 ? "mesh.box { uvs = \"even\" } with little rounding has one scale on all sides"
                 : "its UVs should be to one scale, and it no smaller than a tile");
+    else
+        warn_of_size(params, *cover.shape, tile);
 }
 
 constexpr double most_triangles = 5e7;
@@ -162,7 +178,7 @@ void warn_of_few_triangles(const Params& params, const CoverSettings& cover,
 
 // How far a relief fades into that beyond a seam, in cells: less shows the seam as a step, more as
 // a band where the relief is flat.
-constexpr double blend_in_cells = 0.7;
+constexpr double blend_in_cells = 0.45;
 
 /// Lifts the mesh to where the bare shape stood: a relief on its foot would sink into the ground.
 void stand(Mesh& mesh, const Mesh& bare) {

@@ -24,9 +24,8 @@ double stretch_of(const Imath::V3d& u, const Imath::V3d& v) {
     return std::max(larger, 1 / smaller);
 }
 
-} // namespace
-
-Vec2 tile_repeats(const Mesh& mesh, const Vec2& size) {
+// How long one unit of u and of v is on the mesh, in the mean; 0 where no UVs have an area.
+Vec2 unit_length(const Mesh& mesh) {
     Vec2 length(0.0, 0.0);
     double sum = 0;
     for (const Mesh::Triangle& t : mesh.triangles) {
@@ -37,10 +36,22 @@ Vec2 tile_repeats(const Mesh& mesh, const Vec2& size) {
         length += Vec2(face.along_u.length(), face.along_v.length()) * weight;
         sum += weight;
     }
-    if (!(sum > 0))
+    return sum > 0 ? length / sum : length;
+}
+
+} // namespace
+
+Vec2 tile_repeats(const Mesh& mesh, const Vec2& size) {
+    const Vec2 length = unit_length(mesh);
+    if (!(length.x > 0 && length.y > 0))
         return {1.0, 1.0};
-    return {std::max(1.0, std::round(length.x / sum / size.x)),
-            std::max(1.0, std::round(length.y / sum / size.y))};
+    return {std::max(1.0, std::round(length.x / size.x)),
+            std::max(1.0, std::round(length.y / size.y))};
+}
+
+Vec2 laid_size(const Mesh& mesh, const Vec2& size) {
+    const Vec2 length = unit_length(mesh);
+    return length.x > 0 && length.y > 0 ? length / tile_repeats(mesh, size) : size;
 }
 
 double tile_stretch(const Mesh& mesh, const Vec2& size) {

@@ -91,8 +91,7 @@ void Maker::doubt_lengths(const Params& given, const std::vector<ParamSpec>& spe
             given.warn(name,
                        fmt::format("{} is {:.4g} m long, its numbers taken as metres", shape->name,
                                    length),
-                       "if the file is in millimetres, say unit = \"mm\"; unit = \"m\" if in "
-                       "metres");
+                       "say its unit: \"mm\", \"cm\" or \"in\" if in those, \"m\" if in metres");
         }
     };
     for (const ParamSpec& spec : specs)
