@@ -120,16 +120,11 @@ void World::State::enter(const Arguments* args) {
     embree::go_on(*args, state.prototypes[record.prototype].tree->scene.get(), ray, args->primID);
 }
 
-// For shapes of so few instances that finding their reach takes longer than boxes that are too
-// wide, none.
 void World::State::find_supports() {
-    constexpr std::size_t enough = 32;
-    std::map<const ShapeTree*, std::size_t> uses;
-    for (const InstanceRecord& record : instances)
-        ++uses[prototypes[record.prototype].tree];
     supports.resize(prototypes.size());
     for (std::size_t i = 0; i < prototypes.size(); ++i)
-        if (prototypes[i].mesh != nullptr && uses[prototypes[i].tree] >= enough)
+        if (prototypes[i].mesh != nullptr && prototypes[i].tree != nullptr &&
+            prototypes[i].tree->is_shared_by_many())
             supports[i] = Support(prototypes[i].mesh->positions);
 }
 

@@ -51,8 +51,10 @@ SceneHandle World::State::new_scene() const {
     return handle;
 }
 
-SceneHandle World::State::tree(const Mesh& mesh) const {
+SceneHandle World::State::tree(const Mesh& mesh, bool careful) const {
     SceneHandle handle = new_scene();
+    if (careful) // rays meet it 6 % faster; it takes about three times as long to build
+        rtcSetSceneBuildQuality(handle.get(), RTC_BUILD_QUALITY_HIGH);
     const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
     void* positions =
         rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -69,12 +71,10 @@ SceneHandle World::State::tree(const Mesh& mesh) const {
     return handle;
 }
 
-MeshTree World::State::build(const Mesh& mesh) const {
-    MeshTree made;
-    made.scene = tree(mesh);
-    made.bounds = embree::bounds(made.scene.get());
-    made.triangles = triangle_records(mesh);
-    return made;
+void World::State::build(const Mesh& mesh, MeshTree& tree_of) const {
+    tree_of.scene = tree(mesh, tree_of.is_shared_by_many());
+    tree_of.bounds = embree::bounds(tree_of.scene.get());
+    tree_of.triangles = triangle_records(mesh);
 }
 
 void World::State::collect(const std::shared_ptr<const Mesh>& mesh,
@@ -120,7 +120,7 @@ void check_parts(const Prototype& prototype, const Aggregate& of) {
 void World::State::build_mesh_trees(const Context& context) {
     parallel_for(meshes.size(), 1, [&](std::size_t i) {
         if (context.cancel == nullptr || !context.cancel->requested())
-            mesh_trees.find(meshes[i].get())->second = build(*meshes[i]);
+            build(*meshes[i], mesh_trees.find(meshes[i].get())->second);
     });
     context.check_cancel();
     check();
@@ -129,7 +129,7 @@ void World::State::build_mesh_trees(const Context& context) {
 void World::State::add_prototypes(std::span<const Aggregate> aggregates, const Context& context) {
     std::map<Materials, std::uint32_t> numbers{{{}, 0}, {{nullptr}, 0}};
     materials.push_back(std::make_shared<const Material>(Matte{}));
-    for (const Aggregate& aggregate : aggregates)
+    for (const Aggregate& aggregate : aggregates) {
         for (const Prototype& prototype : aggregate.prototypes) {
             std::visit([&](const auto& shape) { collect(shape, prototype); }, prototype.shape);
             check_parts(prototype, aggregate);
@@ -144,6 +144,12 @@ void World::State::add_prototypes(std::span<const Aggregate> aggregates, const C
                                   .by_part = prototype.materials.size() > 1,
                                   .uses_uv = any_uses_uv(prototype.materials)});
         }
+        for (const Instance& instance : aggregate.instances) {
+            const auto tree = mesh_trees.find(aggregate.prototypes[instance.prototype].mesh());
+            if (tree != mesh_trees.end())
+                ++tree->second.instances;
+        }
+    }
     build_mesh_trees(context);
     build_strand_trees(context);
     std::size_t number = 0;

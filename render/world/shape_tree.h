@@ -9,6 +9,10 @@ namespace scree {
 struct ShapeTree {
     embree::SceneHandle scene;
     Box3 bounds; // in the object's frame
+    std::size_t instances = 0;
+
+    /// Whether so many instances share it that what speeds up its rays is worth more time to build.
+    bool is_shared_by_many() const { return instances >= 32; }
 };
 
 } // namespace scree

@@ -70,9 +70,9 @@ struct World::State {
     void build_mesh_trees(const Context& context);
     void add_caps(StrandTree& tree) const;
     void build_strand_trees(const Context& context);
-    MeshTree build(const Mesh& mesh) const;
+    void build(const Mesh& mesh, MeshTree& tree_of) const;
     StrandTree build(const Strands& shape, bool is_fibre) const;
-    embree::SceneHandle tree(const Mesh& mesh) const;
+    embree::SceneHandle tree(const Mesh& mesh, bool careful) const;
     void find_tree(const Prototype& prototype, PrototypeRecord& record) const;
 
     void add_prototypes(std::span<const Aggregate> aggregates, const Context& context);
