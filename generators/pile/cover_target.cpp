@@ -95,8 +95,6 @@ PileUp pile_up(PlacedBodies& pile, const Mesh& target, const PileTurns& turns,
                 break;
         }
     }
-    if (gaps)
-        result.covered = !gaps->remain(pile);
     return result;
 }
 

@@ -10,7 +10,7 @@ namespace scree {
 /// How `pile_up` ended.
 struct PileUp {
     std::size_t tried = 0; // components
-    bool covered = false;  // as much of the surface is hidden as was asked for
+    bool covered = false;  // certain that as much is hidden as was asked for
 };
 
 /// Inserts components at the sites, level by level from the surface outwards. With `cover` > 0 each

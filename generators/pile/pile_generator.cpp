@@ -43,17 +43,20 @@ struct PlacedPile {
     PlacedBodies pile;
     std::optional<PlacedBodies> strewn; // where relaxed components were before relaxation
     std::size_t tried = 0;
+    std::optional<double> cover{}; // if measured
 };
 
 /// Warns where the components hide less of the target than was asked for.
-void warn_of_cover(const PlacedBodies& pile, const PileSettings& settings) {
+void warn_of_cover(PlacedPile& placed, const PileSettings& settings) {
     constexpr double visible = 0.02; // less does not show
-    const double hidden = measured_cover(pile, *settings.target, settings.seed);
-    if (settings.warn_of_cover && hidden < settings.cover - visible)
+    if (!settings.warn_of_cover)
+        return;
+    placed.cover = measured_cover(placed.pile, *settings.target, settings.seed);
+    if (*placed.cover < settings.cover - visible)
         settings.warn_of_cover(
             fmt::format("{:.0f}% of the surface is hidden, not the {:.0f}% asked for: nothing "
                         "more finds room",
-                        100 * hidden, 100 * settings.cover));
+                        100 * *placed.cover, 100 * settings.cover));
 }
 
 PlacedPile placed_at(std::vector<BodySite> sites, const PileSettings& settings,
@@ -89,13 +92,15 @@ PlacedPile placed_at(std::vector<BodySite> sites, const PileSettings& settings,
         pile_up(placed.pile, target, turns, std::move(sites), insertion, settings.cover, context);
     placed.tried += done.tried;
     if (!done.covered)
-        warn_of_cover(placed.pile, settings);
+        warn_of_cover(placed, settings);
     return placed;
 }
 
 void add_measures(const PlacedPile& placed, const PileSettings& settings, Facts& facts) {
     const PlacedBodies& pile = placed.pile;
-    facts.emplace_back("cover", measured_cover(pile, *settings.target, settings.seed));
+    facts.emplace_back("cover", placed.cover
+                                    ? *placed.cover
+                                    : measured_cover(pile, *settings.target, settings.seed));
     if (settings.solid)
         facts.emplace_back("fill", filled_share(pile, *settings.target, settings.seed));
     add_overlap(pile, placed.strewn ? *placed.strewn : at_their_sites(pile), settings.measure,
