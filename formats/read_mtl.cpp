@@ -264,6 +264,7 @@ std::vector<std::string> files_of(const std::string& names, const std::string& f
 
 std::string missing(const MaterialUse& use, const std::map<std::string, Draft>& drafts) {
     std::vector<std::string> known;
+    known.reserve(drafts.size());
     for (const auto& [name, draft] : drafts)
         known.push_back(name);
     const std::string near = did_you_mean(use.name, known);

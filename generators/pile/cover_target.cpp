@@ -75,10 +75,10 @@ PileUp pile_up(PlacedBodies& pile, const Mesh& target, const PileTurns& turns,
         gaps.emplace(target, turns, std::max(measuring_rays, rays_per_site * sites.size()), cover);
     std::vector<InsertionCandidate> waiting =
         candidates_at(std::move(sites), pile.shapes, ranges, settings);
-    const double levels = levels_of(turns.kinds, settings.sink);
-    for (double n = 1; n <= levels; ++n) {
-        context.report("pile", (n - 1) / levels);
-        const double level = n * level_height - settings.sink;
+    const auto levels = static_cast<std::int64_t>(levels_of(turns.kinds, settings.sink));
+    for (std::int64_t n = 1; n <= levels; ++n) {
+        context.report("pile", double(n - 1) / double(levels));
+        const double level = double(n) * level_height - settings.sink;
         insert_up_to(level, pile, waiting, settings, context);
         for (int pass = 0; gaps && pass < most_passes; ++pass) {
             if (!gaps->remain(pile)) {
