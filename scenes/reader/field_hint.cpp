@@ -89,7 +89,7 @@ std::string relief_hint(const std::string& name, const OpenTable& table) {
 
 std::string field_hint(const std::string& name, std::span<const OpenTable> open) {
     const std::vector<std::string> names = names_of(open.back().specs);
-    const std::string near = did_you_mean(name, names);
+    std::string near = did_you_mean(name, names);
     if (const std::string around = table_around(name, open); !around.empty())
         return fmt::format("{} is a field of {}{}", name, around, near.empty() ? "" : "; " + near);
     if (!near.empty())
