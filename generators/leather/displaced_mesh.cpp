@@ -184,17 +184,14 @@ class Refinement {
 };
 
 std::vector<bool> Refinement::torn_edges() const {
-    std::vector<bool> shared(place_.size()); // places of several vertices
-    for (std::uint32_t i = 0; i < place_.size(); ++i)
-        if (place_[i] != i)
-            shared[place_[i]] = true;
+    const std::vector<bool> split = split_places(place_);
     using Ends = std::pair<std::uint32_t, std::uint32_t>;
     std::map<Ends, std::pair<Ends, std::size_t>> open; // by places: the vertices, and which edge
     std::vector<bool> torn(3 * mesh_.triangles.size());
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = mesh_.triangles[i][k], b = mesh_.triangles[i][(k + 1) % 3];
-            if (!shared[place_[a]] && !shared[place_[b]])
+            if (!split[place_[a]] && !split[place_[b]])
                 continue;
             const Ends vertices = std::minmax(a, b);
             const Ends places = std::minmax(place_[a], place_[b]);

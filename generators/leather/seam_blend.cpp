@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "generators/leather/seam_blend.h"
 
+#include "core/disjoint_sets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -22,10 +24,7 @@ bool whole_apart(const Vec2f& a, const Vec2f& b) {
 /// tiles apart: pairs of corners, one of each triangle.
 std::vector<std::pair<Corner, Corner>> seam_edges(const Mesh& mesh,
                                                   const std::vector<std::uint32_t>& place) {
-    std::vector<bool> split(mesh.positions.size()); // places of several vertices
-    for (std::uint32_t i = 0; i < place.size(); ++i)
-        if (place[i] != i)
-            split[place[i]] = true;
+    const std::vector<bool> split = split_places(place);
     std::unordered_map<std::uint64_t, Corner> open;
     std::vector<std::pair<Corner, Corner>> seams;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -49,22 +48,15 @@ std::vector<std::pair<Corner, Corner>> seam_edges(const Mesh& mesh,
 
 /// For every vertex the first vertex of its piece of the UV map.
 std::vector<std::uint32_t> pieces(const Mesh& mesh) {
-    std::vector<std::uint32_t> root(mesh.positions.size());
-    for (std::uint32_t i = 0; i < root.size(); ++i)
-        root[i] = i;
-    const auto find = [&](std::uint32_t i) {
-        while (root[i] != i)
-            i = root[i] = root[root[i]];
-        return i;
-    };
-    for (const Mesh::Triangle& t : mesh.triangles)
-        for (const std::uint32_t v : {t[1], t[2]}) {
-            const std::uint32_t a = find(t[0]), b = find(v);
-            root[std::max(a, b)] = std::min(a, b);
-        }
-    for (std::uint32_t i = 0; i < root.size(); ++i)
-        root[i] = find(i);
-    return root;
+    DisjointSets sets(mesh.positions.size());
+    for (const Mesh::Triangle& t : mesh.triangles) {
+        sets.unite(t[0], t[1]);
+        sets.unite(t[0], t[2]);
+    }
+    std::vector<std::uint32_t> first(mesh.positions.size());
+    for (std::uint32_t i = 0; i < first.size(); ++i)
+        first[i] = sets.find(i);
+    return first;
 }
 
 /// The triangles round every vertex: those of vertex i are `all[first[i]]` to `all[first[i + 1]]`.
@@ -94,6 +86,14 @@ float distance_to(const Vec3& p, const Vec3& from, const Vec3& along, float leng
 }
 
 } // namespace
+
+std::vector<bool> split_places(const std::vector<std::uint32_t>& place) {
+    std::vector<bool> split(place.size());
+    for (std::uint32_t i = 0; i < place.size(); ++i)
+        if (place[i] != i)
+            split[place[i]] = true;
+    return split;
+}
 
 SeamBlend::SeamBlend(const Mesh& mesh, const std::vector<std::uint32_t>& place, double reach)
     : reach_(static_cast<float>(reach)) {

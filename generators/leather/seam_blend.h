@@ -8,6 +8,9 @@
 
 namespace scree {
 
+/// Which places have several vertices, as those on seams and creases. `place`: as `weld` gives it.
+std::vector<bool> split_places(const std::vector<std::uint32_t>& place);
+
 /// Fades a map that repeats over a mesh's UVs from one side of a seam into the other. At a seam the
 /// pieces of the UV map, which meet on the surface, show different places of the tile; within
 /// `reach` [m] of it a vertex takes its offset partly from the map of the piece across, continued
