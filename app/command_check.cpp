@@ -28,7 +28,7 @@ void warn_of_missing(const SceneDraft& draft, const std::string& path, Console& 
                                  std::string(problem) +
                                      ": scree bake can do without, scree render cannot",
                                  hint};
-        console.say("warning: " + missing.text());
+        console.warn(missing.text());
     };
     const std::vector<Light>& lights = draft.scene.lights;
     if (!draft.scene.camera)

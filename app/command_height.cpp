@@ -86,8 +86,8 @@ int write_map(const HeightOptions& options) {
     const HeightField heights = aggregate.height->as_height();
     const HeightField map = options.vector ? aggregate.height->as_vector() : heights;
     if (aggregate.height->is_vector() && !options.vector)
-        run.console.say("warning: the relief overhangs, and heights alone do not hold that\n"
-                        "  --vector writes it whole");
+        run.console.warn("the relief overhangs, and heights alone do not hold that\n"
+                         "  --vector writes it whole");
     Metadata metadata = provenance(scene);
     metadata.insert(metadata.end(), {{"scree:generator", aggregate.generator},
                                      {"scree:seed", std::to_string(aggregate.seed)}});

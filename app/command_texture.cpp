@@ -86,9 +86,9 @@ void check_channel(const TextureJob& job, std::span<const Image> images) {
                                          "material.plastic, metal and translucent have one");
     if ((number && is_everywhere(images, 0, 0)) ||
         (channel == TextureChannel::normal && is_everywhere(images, 2, 1)))
-        job.console.say(fmt::format("warning: the {} is the same everywhere: this procedural gives "
-                                    "none",
-                                    channel_word(channel)));
+        job.console.warn(fmt::format("the {} is the same everywhere: this procedural gives "
+                                     "none",
+                                     channel_word(channel)));
 }
 
 /// Returns what `make` returns. Its errors about the mesh get the mesh's name and location.
@@ -111,12 +111,12 @@ UvRaster uv_raster_of(const TextureJob& job) {
     UvRaster raster = about_mesh(job, "unwrap it in a modelling program",
                                  [&] { return UvRaster(mesh, job.request.width, height); });
     if (raster.overlapped() > 0)
-        job.console.say(fmt::format("warning: UVs of {} overlap: {:.3g}% of its texture stands for "
-                                    "several places and shows "
-                                    "the first",
-                                    mesh.name,
-                                    100.0 * double(raster.overlapped()) /
-                                        double(raster.covered_texels().size())));
+        job.console.warn(fmt::format("UVs of {} overlap: {:.3g}% of its texture stands for "
+                                     "several places and shows "
+                                     "the first",
+                                     mesh.name,
+                                     100.0 * double(raster.overlapped()) /
+                                         double(raster.covered_texels().size())));
     if (raster.wraps())
         job.console.say(
             fmt::format("note: UVs of {} go beyond [0, 1]: show the texture repeated", mesh.name));
@@ -209,7 +209,7 @@ void bake_volume(TextureJob& job) {
         const std::unique_ptr<VdbFile> file =
             volume_file(job.subject.source, volume, job.subject.world_from_object, job.context);
         if (file->densest() == 0)
-            job.console.say("warning: the density is 0 everywhere: this procedural gives no value");
+            job.console.warn("the density is 0 everywhere: this procedural gives no value");
         job.stages.begin("write");
         file->write(job.options.output, job.metadata);
     }
@@ -241,8 +241,8 @@ int bake_texture(const TextureOptions& options) {
     TextureSubject subject = texture_subject(options.scene.path, scene, object);
     check_fills_space(subject, request.map);
     if (subject.scales_differ && !subject.source.procedural->scales_with_object())
-        run.console.say("warning: the instances differ in scale, so that each has another piece of "
-                        "the texture; this is that of the first");
+        run.console.warn("the instances differ in scale, so that each has another piece of "
+                         "the texture; this is that of the first");
     if (!options.scene.device.empty()) // only on request, since the host is faster than PoCL
         subject.source.device = session.device();
     const Context context = session.context("texture");

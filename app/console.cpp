@@ -64,9 +64,12 @@ Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) !=
 
 Console::~Console() { clear(); }
 
+void Console::warn(const std::string& text) {
+    ++warnings_;
+    Watcher::warn(text);
+}
+
 void Console::say(const std::string& line) {
-    if (line.starts_with("warning: "))
-        ++warnings_;
     if (quiet_)
         return;
     clear();

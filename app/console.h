@@ -19,6 +19,7 @@ class Console final : public Watcher {
     Console& operator=(const Console&) = delete;
 
     void say(const std::string& line) override;
+    void warn(const std::string& text) override;
     void progress(const std::string& what, double fraction, const std::string& detail) override;
 
     /// Shows a picture (see terminal_picture) where the terminal says that it has 24-bit colours
@@ -28,7 +29,7 @@ class Console final : public Watcher {
     /// Removes the bar.
     void clear();
 
-    /// How many lines said so far are warnings.
+    /// How many warnings there were so far.
     std::size_t warnings() const { return warnings_; }
 
   private:

@@ -30,7 +30,7 @@ Exported export_scene(Session& session, Scene scene, const SceneFormat& format,
                                ""});
     Exported out{std::move(scene)};
     ExportOptions options{.look = look, .warn = [&session](const std::string& message) {
-                              session.watcher().say("warning: " + message);
+                              session.watcher().warn(message);
                           }};
     if (format.holds == Holds::solid) {
         out.solid = make_solid(out.scene.aggregates, solid, session);

@@ -77,9 +77,9 @@ class Carer {
             watcher_.say(fmt::format("resumes {} at {:.1f} samples per pixel", checkpoint_.path(),
                                      rendering.stats().samples_per_pixel));
         } else {
-            watcher_.say(fmt::format("warning: {} of an interrupted render will be overwritten; "
-                                     "--resume would continue it",
-                                     checkpoint_.path()));
+            watcher_.warn(fmt::format("{} of an interrupted render will be overwritten; "
+                                      "--resume would continue it",
+                                      checkpoint_.path()));
         }
     }
 
@@ -88,7 +88,7 @@ class Carer {
         try {
             checkpoint_.write(rendering);
         } catch (const Error& error) {
-            watcher_.say(std::string("warning: no checkpoint: ") + error.what());
+            watcher_.warn(std::string("no checkpoint: ") + error.what());
         }
         saving_.done();
     }

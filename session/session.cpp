@@ -66,7 +66,7 @@ SceneDraft Session::check(const DescriptionNode& root) {
 
 void Session::say(Warnings& warnings) {
     for (const Diagnostic& warning : warnings)
-        watcher_.say("warning: " + warning.text());
+        watcher_.warn(warning.text());
     warnings.clear();
 }
 

@@ -14,6 +14,9 @@ class Watcher {
     /// A permanent line.
     virtual void say(const std::string& line) = 0;
 
+    /// A line about something that is no error.
+    virtual void warn(const std::string& text) { say("warning: " + text); }
+
     /// The fraction of `what` that is done, in [0, 1], with a detail to show. May be called often.
     virtual void progress(const std::string& what, double fraction, const std::string& detail) = 0;
 };
