@@ -38,11 +38,12 @@ Box3 world_box(const InstanceRecord& record, const Box3& object) {
     return {centre - reach, centre + reach};
 }
 
-// The box of an instance of a shape whose reach is known.
-Box3 world_box(const InstanceRecord& record, const Box3& object, const Support& support) {
+// That of an instance of the shape: narrower where its reach is known.
+Box3 world_box(const InstanceRecord& record, const ShapeTree& tree) {
+    const Support& support = tree.support;
+    Box3 box = world_box(record, tree.bounds);
     if (!support.known())
-        return world_box(record, object);
-    Box3 box = world_box(record, object);
+        return box;
     for (int axis = 0; axis < 3; ++axis) {
         const Vec3 along(record.rows[0][axis], record.rows[1][axis], record.rows[2][axis]);
         const float at = record.rows[3][axis];
@@ -121,11 +122,9 @@ void World::State::enter(const Arguments* args) {
 }
 
 void World::State::find_supports() {
-    supports.resize(prototypes.size());
-    for (std::size_t i = 0; i < prototypes.size(); ++i)
-        if (prototypes[i].mesh != nullptr && prototypes[i].tree != nullptr &&
-            prototypes[i].tree->is_shared_by_many())
-            supports[i] = Support(prototypes[i].mesh->positions);
+    for (auto& [mesh, tree] : mesh_trees)
+        if (tree.is_shared_by_many())
+            tree.support = Support(mesh->positions);
 }
 
 void World::State::attach_together() {
@@ -140,9 +139,7 @@ void World::State::attach_together() {
             const InstanceRecord& record = state.instances[args->primID];
             const PrototypeRecord& prototype = state.prototypes[record.prototype];
             // Embree leaves out what has an empty box.
-            const Box3 box = shown(prototype, record) ? world_box(record, prototype.tree->bounds,
-                                                                  state.supports[record.prototype])
-                                                      : Box3();
+            const Box3 box = shown(prototype, record) ? world_box(record, *prototype.tree) : Box3();
             *args->bounds_o = {box.min.x, box.min.y, box.min.z, 0,
                                box.max.x, box.max.y, box.max.z, 0};
         },

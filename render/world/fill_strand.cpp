@@ -37,12 +37,12 @@ void fill_uv(const StrandTree& tree, const StrandPoint& point, std::uint32_t fir
 // The cap of a chain of cones that stands for a spline, where `near` is beyond the spline's end.
 std::optional<StrandCap> cap_at(const StrandTree& tree, std::uint32_t segment, float along,
                                 std::size_t strand, const Vec3& near) {
-    const float end = along < 0.5F ? 0.0F : 1.0F;
-    const std::uint32_t last =
-        tree.strands->offsets[strand + (end > 0 ? 1 : 0)] - (end > 0 ? 4 : 0);
-    if (tree.chords.empty() || tree.is_fibre || tree.firsts[segment] != last)
+    const bool tip = along >= 0.5F;
+    const std::vector<std::uint32_t>& offsets = tree.strands->offsets;
+    const std::uint32_t end_piece = tip ? offsets[strand + 1] - 4 : offsets[strand];
+    if (tree.chords.empty() || tree.is_fibre || tree.firsts[segment] != end_piece)
         return std::nullopt;
-    const std::optional<StrandCap> cap = end_cap(tree, segment, end);
+    const std::optional<StrandCap> cap = end_cap(tree, segment, tip ? 1.0F : 0.0F);
     return cap && (near - cap->centre).dot(cap->outwards) > 0 ? cap : std::nullopt;
 }
 

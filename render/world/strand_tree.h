@@ -56,6 +56,14 @@ struct StrandTree : ShapeTree {
     /// What it takes beside Embree's memory [B].
     std::size_t own_bytes() const;
 
+    /// Fetches what `segment_at` reads of Embree's primitive, or the segment itself.
+    void prefetch(std::uint32_t primitive) const {
+        if (chords.empty())
+            __builtin_prefetch(&firsts[primitive]);
+        else
+            __builtin_prefetch(&chords[primitive]);
+    }
+
     /// The segment of Embree's primitive, and how far along it a hit at `u` of that is.
     std::pair<std::uint32_t, float> segment_at(std::uint32_t primitive, float u) const {
         if (chords.empty())

@@ -156,8 +156,7 @@ void World::prefetch(const RawHit& raw) const {
     const InstanceRecord& record = state_->instances[raw.instance];
     const PrototypeRecord& prototype = state_->prototypes[record.prototype];
     if (prototype.strands != nullptr && raw.geometry == StrandTree::segments_id)
-        __builtin_prefetch(
-            &prototype.strands->firsts[prototype.strands->segment_at(raw.primitive, 0).first]);
+        prototype.strands->prefetch(raw.primitive);
     else if (prototype.strands == nullptr)
         __builtin_prefetch(&prototype.triangles[raw.primitive]);
 }

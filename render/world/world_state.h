@@ -4,7 +4,6 @@
 
 #include "render/world/instance_record.h"
 #include "render/world/strand_tree.h"
-#include "render/world/support.h"
 #include "render/world/triangle_record.h"
 #include "render/world/world.h"
 
@@ -47,7 +46,6 @@ struct World::State {
     std::vector<std::shared_ptr<const Strands>> strands;                // likewise kept alive
     std::vector<PrototypeRecord> prototypes; // of all aggregates, one after the other
     std::vector<InstanceRecord> instances;   // likewise
-    std::vector<Support> supports;           // of prototypes, where boxes of instances need them
     std::vector<std::shared_ptr<const Material>> materials; // first that of what has none
     WideVec3 origin{0, 0, 0};                               // what all below is relative to
     std::vector<Light> lights;

@@ -37,6 +37,10 @@ inline Strands random_chains(Random& random, std::size_t count, int segments, fl
     return strands;
 }
 
+inline Ray towards(const Vec3& from, const Vec3& target) {
+    return {from, (target - from).normalized()};
+}
+
 /// Splines as Embree's own, not as cones.
 inline constexpr WorldLimits no_chords{.most_chords = 0};
 

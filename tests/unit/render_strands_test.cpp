@@ -11,8 +11,7 @@ namespace {
 
 using test::random_direction;
 using test::strand_world;
-
-Ray towards(const Vec3& from, const Vec3& target) { return {from, (target - from).normalized()}; }
+using test::towards;
 
 // Of constant radius from (0, 0, 0) to (0, 0.8, 0), by steps of 0.2.
 Strands straight(float radius) {
@@ -113,6 +112,7 @@ TEST(Strands, HitsOfASplineLieOnItsSurface) {
     for (int k = 1; k < 20; ++k)
         middle.push_back(
             test::spline_point(&strands.points[k / 10], static_cast<float>(k % 10) / 10));
+    float grazing = 0; // how far a normal may point away from the ray
     const auto on_surface = [&](const Ray& ray, const Hit& hit) {
         float nearest = INFINITY;
         Vec3 centre;
@@ -131,11 +131,12 @@ TEST(Strands, HitsOfASplineLieOnItsSurface) {
         EXPECT_GT(hit.normal.dot((hit.position - centre).normalized()), 0.9999F);
         EXPECT_NEAR(hit.uv.x, at, 1e-3F);
         EXPECT_LT(std::abs(hit.tangent.dot(hit.normal)), 1e-3F);
-        EXPECT_LT(hit.normal.dot(ray.direction), 0.1F);
+        EXPECT_LT(hit.normal.dot(ray.direction), grazing);
     };
     for (const WorldLimits& limits : {WorldLimits{}, test::no_chords}) {
         const World world = strand_world(strands, Fibre{}, {{}}, {}, limits);
         EXPECT_EQ(world.strand_figures().segments, 2U);
+        grazing = limits.most_chords > 0 ? 0.1F : 0.01F; // cones are off by a hundredth of r
         for_hits(world, middle, radius / 2, 1000, on_surface);
     }
 }
@@ -206,65 +207,6 @@ TEST(Strands, CapsKnowTheirEnds) {
         EXPECT_EQ(point.axis.x < 0, end == 1) << "towards the tip";
         EXPECT_LT((point.normal - cap.outwards).length(), 1e-6F);
     }
-}
-
-// Chains of cones lie as near to their splines as they should, and follow them from end to end.
-TEST(Strands, ConesFollowTheirSplines) {
-    Random random(36, Purpose::test);
-    for (const float bend : {0.05F, 0.5F, 1.5F}) {
-        const float radius = 2e-3F;
-        const Strands curves =
-            test::random_chains(random, 30, 12, 8e-3F, radius, bend, CurveKind::bspline);
-        const std::vector<std::uint16_t> counts = chord_counts(curves, 1'000'000);
-        ASSERT_EQ(counts.size(), curves.segment_count());
-        std::size_t piece = 0;
-        float farthest = 0;
-        for (std::size_t strand = 0; strand < curves.count(); ++strand)
-            for (std::uint32_t i = curves.offsets[strand]; i + 3 < curves.offsets[strand + 1];
-                 ++i, ++piece)
-                for (int k = 0; k < counts[piece]; ++k) {
-                    const auto at = [&](float t) {
-                        return test::spline_point(&curves.points[i],
-                                                  (static_cast<float>(k) + t) / counts[piece]);
-                    };
-                    const Vec3 a = at(0), side = at(1) - a;
-                    for (int j = 1; j < 10; ++j) {
-                        const Vec3 off = at(static_cast<float>(j) / 10) - a;
-                        farthest = std::max(
-                            farthest, (off - side * (off.dot(side) / side.dot(side))).length());
-                    }
-                }
-        EXPECT_LE(farthest, 1.001F * chord_tolerance * radius) << bend;
-        EXPECT_GE(farthest, 0.1F * chord_tolerance * radius) << "no more cones than needed";
-        EXPECT_TRUE(chord_counts(curves, curves.segment_count() - 1).empty());
-    }
-}
-
-// A ray that leaves outwards meets its own spline again only across a bend.
-TEST(Strands, OutwardRaysLeaveTheConesOfTheirSpline) {
-    Random random(37, Purpose::test);
-    const float radius = 1e-3F;
-    int tried = 0;
-    for (int strand = 0; strand < 60; ++strand) {
-        const Strands curve =
-            test::random_chains(random, 1, 12, 8e-3F, radius, 0.3F, CurveKind::bspline);
-        const World world = strand_world(curve, Matte{});
-        for (int i = 0; i < 1000; ++i) {
-            const Vec3 target = curve.points[random.below(13)];
-            Hit hit;
-            if (!world.hit(towards(target + random_direction(random) * 0.5F,
-                                   target + random_direction(random) * radius),
-                           hit))
-                continue;
-            Vec3 out = random_direction(random);
-            out = out.dot(hit.normal) < 0 ? -out : out;
-            Ray leaving = hit.leave(out);
-            leaving.length = 0.3F * radius;
-            EXPECT_FALSE(world.occluded(leaving)) << out.dot(hit.normal);
-            ++tried;
-        }
-    }
-    EXPECT_GT(tried, 10'000);
 }
 
 // How many of `count` rays that leave a random hit outwards meet the segment that they leave.
