@@ -40,7 +40,7 @@ Box3 world_box(const InstanceRecord& record, const Box3& object) {
 
 // That of an instance of the shape: narrower where its reach is known.
 Box3 world_box(const InstanceRecord& record, const ShapeTree& tree) {
-    const Support& support = tree.support;
+    const SupportFunction& support = tree.support;
     Box3 box = world_box(record, tree.bounds);
     if (!support.known())
         return box;
@@ -124,7 +124,7 @@ void World::State::enter(const Arguments* args) {
 void World::State::find_supports() {
     for (auto& [mesh, tree] : mesh_trees)
         if (tree.is_shared_by_many())
-            tree.support = Support(mesh->positions);
+            tree.support = SupportFunction(mesh->positions);
 }
 
 void World::State::attach_together() {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/world/embree_adapter.h"
-#include "render/world/support.h"
+#include "render/world/support_function.h"
 
 namespace scree {
 
@@ -11,7 +11,7 @@ struct ShapeTree {
     embree::SceneHandle scene;
     Box3 bounds; // in the object's frame
     std::size_t instances = 0;
-    Support support; // known where the boxes of many instances are to fit
+    SupportFunction support; // known where the boxes of many instances are to fit
 
     /// Whether so many instances share it that what speeds up its rays is worth more time to build.
     bool is_shared_by_many() const { return instances >= 32; }

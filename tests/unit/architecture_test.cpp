@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rules of the architecture: folders depend downwards only, each library is used in one place only,
-// headers do not include libraries, and no file is long.
+// headers do not include libraries, a type has one definition, and no file is long.
 #include "core/file.h"
 
 #include <gtest/gtest.h>
@@ -266,6 +266,36 @@ TEST(Architecture, EachLibraryHasOneDoor) {
         }
         EXPECT_TRUE(used) << door.library << " is included nowhere: is its pattern right?";
     }
+}
+
+/// The types that a header defines, with its namespace: "scree::rocks::BoxGrid".
+std::vector<std::string> types_of(const std::string& text) {
+    static const std::regex space("^namespace ([a-z_:]+) \\{", std::regex::multiline);
+    static const std::regex type(
+        "^(?:struct|class|enum class) (?:alignas\\([^)]*\\) )?([A-Za-z0-9_:]+)[^;\\n]*\\{",
+        std::regex::multiline);
+    std::smatch in;
+    const std::string prefix = std::regex_search(text, in, space) ? in[1].str() + "::" : "";
+    std::vector<std::string> out;
+    for (std::sregex_iterator it(text.begin(), text.end(), type), end; it != end; ++it)
+        out.push_back(prefix + (*it)[1].str());
+    return out;
+}
+
+// A second type of the same name in the same namespace is undefined behaviour that links.
+TEST(Architecture, TypesAreDefinedOnce) {
+    EXPECT_EQ(types_of("namespace scree::rocks {\n\nstruct A;\nclass B final : A {\n};\n}"),
+              std::vector<std::string>{"scree::rocks::B"});
+    std::map<std::string, std::string> defined_in;
+    for (const std::string& file : all_sources()) {
+        if (!file.ends_with(".h"))
+            continue;
+        for (const std::string& type : types_of(text_of(file))) {
+            const auto [first, is_new] = defined_in.try_emplace(type, file);
+            EXPECT_TRUE(is_new) << type << " is defined in " << first->second << " and " << file;
+        }
+    }
+    EXPECT_GT(defined_in.size(), 300U);
 }
 
 TEST(Architecture, FilesHaveAtMost400Lines) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/world/support.h"
+#include "render/world/support_function.h"
 
 #include "core/parallel.h"
 
@@ -25,7 +25,7 @@ std::size_t index(int octant, int x, int y) {
 
 } // namespace
 
-Support::Support(std::span<const Vec3> points) {
+SupportFunction::SupportFunction(std::span<const Vec3> points) {
     if (points.empty())
         return;
     reach_.assign(8 * per_octant, 0);
@@ -53,7 +53,7 @@ Support::Support(std::span<const Vec3> points) {
     });
 }
 
-float Support::operator()(const Vec3& direction) const {
+float SupportFunction::operator()(const Vec3& direction) const {
     const float sum = std::abs(direction.x) + std::abs(direction.y) + std::abs(direction.z);
     if (!(sum > 0))
         return 0;

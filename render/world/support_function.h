@@ -12,10 +12,10 @@ namespace scree {
 /// little more. The reach is known exactly along a grid of directions; it is a convex function of
 /// the direction (Rockafellar 1970, section 13), so that between them the weighted mean of the
 /// three around is a bound.
-class Support {
+class SupportFunction {
   public:
-    Support() = default; // of no points: known for no direction
-    explicit Support(std::span<const Vec3> points);
+    SupportFunction() = default; // of no points: known for no direction
+    explicit SupportFunction(std::span<const Vec3> points);
 
     bool known() const { return !reach_.empty(); }
 

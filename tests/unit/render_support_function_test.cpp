@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "render/world/support.h"
+#include "render/world/support_function.h"
 
 #include "core/random.h"
 
@@ -28,7 +28,7 @@ std::vector<Vec3> cloud(Random& random, std::size_t count, const Vec3& stretch, 
 
 // From below by the true reach, from above by a fifth of the size more, for points far from and
 // around the origin, round and flat, and for directions along the axes and anywhere.
-TEST(Support, IsABoundAndATightOne) {
+TEST(SupportFunction, IsABoundAndATightOne) {
     Random random(1, Purpose::test);
     const Vec3 stretches[] = {{1, 1, 1}, {2, 0.01F, 1}, {1, 0, 0}};
     const Vec3 centres[] = {{0, 0, 0}, {3, -2, 1}};
@@ -36,7 +36,7 @@ TEST(Support, IsABoundAndATightOne) {
         for (const Vec3& centre : centres)
             for (const std::size_t count : {1U, 7U, 1000U}) {
                 const std::vector<Vec3> points = cloud(random, count, stretch, centre);
-                const Support support{points};
+                const SupportFunction support{points};
                 ASSERT_TRUE(support.known());
                 double farthest = 0; // from the origin
                 double extent = 0;   // around the middle
@@ -58,9 +58,9 @@ TEST(Support, IsABoundAndATightOne) {
             }
 }
 
-TEST(Support, OfNothingIsUnknown) {
-    EXPECT_FALSE(Support().known());
-    EXPECT_FALSE(Support(std::span<const Vec3>{}).known());
+TEST(SupportFunction, OfNothingIsUnknown) {
+    EXPECT_FALSE(SupportFunction().known());
+    EXPECT_FALSE(SupportFunction(std::span<const Vec3>{}).known());
 }
 
 } // namespace
