@@ -24,7 +24,7 @@ std::string type_text(const ParamSpec& spec) {
     case ParamType::path:
         return "file name";
     case ParamType::vector2:
-        return "{x, z}";
+        return spec.pair;
     case ParamType::vector3:
     case ParamType::point3:
         return "{x, y, z}";
@@ -35,7 +35,7 @@ std::string type_text(const ParamSpec& spec) {
     case ParamType::range:
         return "{low, high} or a number";
     case ParamType::points:
-        return "list of {x, z}";
+        return "list of " + spec.pair;
     case ParamType::points3:
         return "list of {x, y, z}";
     case ParamType::numbers:

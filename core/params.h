@@ -24,12 +24,12 @@ enum class ParamType {
     text,     // any string
     choice,   // one of ParamSpec::choices
     path,     // a file, relative to the script; made absolute on reading
-    vector2,  // {x, z}
+    vector2,  // {x, z}, or the two that ParamSpec::pair names
     vector3,  // {x, y, z}
     point3,   // {x, y, z}, a place in the scene: in double, since it may be far away
     color,    // {r, g, b}, linear, or one number for grey
     range,    // {low, high} with low <= high, or one number for both
-    points,   // list of {x, z}
+    points,   // list of vector2
     points3,  // list of {x, y, z}
     numbers,  // a list of numbers, or one number
     function, // a script's function(x, z), sampled on a grid; the value is a text of numbers
@@ -62,8 +62,9 @@ struct ParamSpec {
     bool optional = false;               // may be omitted, and then has no value
     std::optional<double> min{};         // applies to all values of a range or field
     std::optional<double> max{};
-    bool above_min = false; // min itself is not allowed
-    bool uniform = false;   // a vector3 may be given as one number for all three
+    bool above_min = false;      // min itself is not allowed
+    bool uniform = false;        // a vector3 may be given as one number for all three
+    std::string pair = "{x, z}"; // what the two numbers of a vector2 are
     std::vector<std::string>
         choices{}; // of a `choice`; of an `object` the words that may replace it
     std::vector<ParamSpec> fields{};

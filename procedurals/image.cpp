@@ -50,7 +50,8 @@ Plugin<MakeProcedural> image_plugin() {
              .type = ParamType::vector2,
              .doc = "How many copies of the picture lie side by side over the UV square, along u "
                     "and v; more than 1 need repeats; below 1: the lower left part of one.",
-             .fallback = Vec2(1, 1)},
+             .fallback = Vec2(1, 1),
+             .pair = "{u, v}"},
             {.name = "ground",
              .type = ParamType::color,
              .doc = "Colour behind transparent parts; when not given they take the colours of "

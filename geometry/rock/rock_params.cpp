@@ -25,9 +25,11 @@ std::vector<ParamSpec> rock_specs() {
     return {
         {.name = "axes",
          .type = ParamType::vector2,
-         .doc = "The middle and the shortest axis, each as a share of the longest: {b/a, c/a}; "
-                "fragments average {0.7, 0.5}.",
-         .fallback = Vec2(usual.b_over_a, usual.c_over_a)},
+         .doc =
+             "The middle and the shortest axis, each as a share of the longest; fragments average "
+             "{0.7, 0.5}.",
+         .fallback = Vec2(usual.b_over_a, usual.c_over_a),
+         .pair = "{b/a, c/a}"},
         number_spec("faces", "Mean count of large faces.", "", usual.faces, 4, 20),
         number_spec("scatter", "How far the three sets of joints stray from right angles.", "",
                     usual.scatter, 0, 0.8),

@@ -85,7 +85,7 @@ std::string type_in_words(const ParamSpec& spec) {
     case ParamType::path:
         return "the path of a file";
     case ParamType::vector2:
-        return "{x, z}";
+        return spec.pair;
     case ParamType::vector3:
     case ParamType::point3:
         return "{x, y, z}";
@@ -96,7 +96,7 @@ std::string type_in_words(const ParamSpec& spec) {
     case ParamType::range:
         return "{low, high} or a number";
     case ParamType::points:
-        return "a list of {x, z}";
+        return "a list of " + spec.pair;
     case ParamType::points3:
         return "a list of {x, y, z}";
     case ParamType::numbers:

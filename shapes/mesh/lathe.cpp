@@ -256,10 +256,12 @@ Plugin<MakeMesh> lathe_component() {
         "lathe", "A turned piece: what a profile sweeps about the y axis.",
         {{.name = "profile",
           .type = ParamType::points,
-          .doc = "Points {radius, height} of the outline; a point written twice is a corner. A pot "
-                 "when not given. Ends that are not on the axis are closed by discs.",
+          .doc =
+              "The outline; a point written twice is a corner. A pot when not given. Ends that are "
+              "not on the axis are closed by discs.",
           .unit = "m",
           .optional = true,
+          .pair = "{radius, height}",
           .min_items = 2},
          {.name = "closed",
           .type = ParamType::boolean,
