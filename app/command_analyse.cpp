@@ -34,7 +34,7 @@ Runs bake_seeds(const AnalyseOptions& options, SceneRun& run) {
     Runs runs;
     SessionOptions scene = options.scene.session();
     for (int i = 0; i < options.seeds; ++i) {
-        Session session(scene, run.console, run.cancel);
+        Session session(scene, run.console, interruption());
         runs.push_back(with_domain(session.bake(session.load()).aggregates));
         if (runs[0].empty())
             break;
@@ -83,7 +83,7 @@ int run_analyse(const AnalyseOptions& options) {
             layouts.push_back(placed_regions(baked[g]));
             seeds.push_back(baked[g].seed);
         }
-        run.cancel.check();
+        interruption().check();
         reports.push_back({runs[0][g].generator, runs[0][g].name, analyse(layouts, seeds)});
         const std::string sheet = sheet_name(options.output, g);
         write_png(sheet, plot_sheet(reports.back().report, layouts[0],

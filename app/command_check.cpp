@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "app/scene_options.h"
+#include "app/standard_streams.h"
 #include "core/text.h"
 
 #include <CLI/CLI.hpp>
@@ -45,7 +46,7 @@ int check(const CheckOptions& options) {
     const SceneDraft draft = run.session.check(description);
     warn_of_missing(draft, options.scene.path, run.console);
     if (options.json) {
-        fmt::print("{}\n", to_json(*description));
+        print_result(fmt::format("{}\n", to_json(*description)));
         return 0;
     }
     const auto generators = std::size_t(std::ranges::count_if(
@@ -53,11 +54,11 @@ int check(const CheckOptions& options) {
     const Scene& scene = draft.scene;
     const std::size_t warned = run.console.warnings();
     if (!options.scene.quiet)
-        fmt::print("{}: {}: {}, {}, {}, {} x {} pixels\n", scene.name,
-                   warned == 0 ? "no mistakes" : "no errors, " + counted(warned, "warning"),
-                   counted(generators, "generator"),
-                   counted(draft.items.size() - generators, "object"),
-                   counted(scene.lights.size(), "light"), scene.film.width, scene.film.height);
+        print_result(fmt::format(
+            "{}: {}: {}, {}, {}, {} x {} pixels\n", scene.name,
+            warned == 0 ? "no mistakes" : "no errors, " + counted(warned, "warning"),
+            counted(generators, "generator"), counted(draft.items.size() - generators, "object"),
+            counted(scene.lights.size(), "light"), scene.film.width, scene.film.height));
     return 0;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "app/exr_part.h"
+#include "app/standard_streams.h"
 #include "core/error.h"
 #include "core/image.h"
 
@@ -107,18 +108,20 @@ int diff(const DiffOptions& options) {
                  : named_part(b, options.b, options.part.empty() ? part_a.name : options.part);
     check_alike(part_a.image, part_b.image, options);
     if (options.part.empty() && a.parts.size() + b.parts.size() > 2)
-        fmt::print("the first part, of {}: {}\n", options.a, part_names(a));
+        print_result(fmt::format("compares the part {}; {} has: {}\n", part_a.name, options.a,
+                                 part_names(a)));
     const bool is_first = &part_a == &a.parts.front();
     const Difference d =
         compare(part_a.image, part_b.image, is_first ? find_part(a, "variance") : nullptr,
                 is_first ? find_part(b, "variance") : nullptr);
-    fmt::print("rmse {:.6g}, largest {:.6g} at ({}, {})", d.rmse, d.largest, d.x, d.y);
+    print_result(
+        fmt::format("rmse {:.6g}, largest {:.6g} at ({}, {})", d.rmse, d.largest, d.x, d.y));
     if (d.has_variance)
-        fmt::print(", mean squared difference over variance {:.3f}", d.mean_z2);
-    fmt::print("{}\n", d.same_bits ? ", pixels identical" : "");
+        print_result(fmt::format(", mean squared difference over variance {:.3f}", d.mean_z2));
+    print_result(fmt::format("{}\n", d.same_bits ? ", pixels identical" : ""));
     const bool within = d.rmse <= options.max.value_or(0);
     if (!within && options.max)
-        fmt::print("rmse is above {:.6g}\n", *options.max);
+        print_result(fmt::format("rmse is above {:.6g}\n", *options.max));
     return within ? 0 : 1;
 }
 

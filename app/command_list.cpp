@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "app/reference.h"
+#include "app/standard_streams.h"
 #include "core/error.h"
 
 #include <CLI/CLI.hpp>
@@ -20,11 +21,11 @@ struct ListOptions {
 int list(const ListOptions& options) {
     const std::vector<CatalogRow> rows = catalog_rows(standard_catalog());
     if (options.markdown) {
-        fmt::print("{}", reference_markdown(rows));
+        print_result(reference_markdown(rows));
         return 0;
     }
     if (options.name.empty()) {
-        fmt::print("{}", plugin_overview(rows));
+        print_result(plugin_overview(rows));
         return 0;
     }
     std::vector<std::string> names;
@@ -34,7 +35,7 @@ int list(const ListOptions& options) {
         names.push_back(full);
         if (full != options.name && row.family != options.name && row.name != options.name)
             continue;
-        fmt::print("{}{}", found ? "\n" : "", plugin_details(row));
+        print_result(fmt::format("{}{}", found ? "\n" : "", plugin_details(row)));
         found = true;
     }
     if (!found)

@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/file_option.h"
 #include "app/picture_output.h"
+#include "app/standard_streams.h"
 #include "session/merge_shards.h"
 
 #include <CLI/CLI.hpp>
@@ -24,7 +25,7 @@ int merge(const MergeOptions& options) {
     write_exr(options.output, merged.picture.parts, merged.picture.metadata, merged.picture.numbers,
               merged.picture.window);
     write_look(beside(options.output, "png"), merged.picture.parts.front().image, merged.look);
-    fmt::print(stderr, "wrote {} and {}\n", options.output, beside(options.output, "png"));
+    tell(fmt::format("wrote {} and {}\n", options.output, beside(options.output, "png")));
     return 0;
 }
 

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -49,6 +50,7 @@ struct RenderCommand {
     bool resume = false;
     bool preview = false;
     bool denoise = false;
+    bool partial = false;
 };
 
 constexpr double preview_every = 3; // [s]
@@ -222,8 +224,17 @@ int run_render(const RenderCommand& command) {
         parse_size(command.size, draft.scene.film);
     const RenderOptions options = options_of(command, draft.scene);
     const Scene scene = session.bake(std::move(draft));
+    std::optional<KeepingWork> keeping;
+    if (command.partial)
+        keeping.emplace(&interruption());
     const Rendered rendered =
         render_scene(session, scene, options, care_of(command, output, scene.film, run.console));
+    if (rendered.result.cancelled && !command.partial) {
+        run.console.say(fmt::format("interrupted at {:.1f} samples per pixel, which --resume "
+                                    "continues; {} is as it was",
+                                    rendered.figures.stats.samples_per_pixel, output));
+        throw Cancelled{};
+    }
     std::optional<Image> denoised;
     if (command.denoise) {
         session.stages().begin("denoise");
@@ -234,6 +245,8 @@ int run_render(const RenderCommand& command) {
     }
     session.stages().begin("write");
     write_pictures(output, rendered, std::move(denoised), scene, options, command);
+    std::error_code ignored;
+    std::filesystem::remove(rendered.spent_checkpoint, ignored);
     session.stages().end();
 
     const RenderStats& stats = rendered.result.stats;
@@ -248,9 +261,10 @@ int run_render(const RenderCommand& command) {
     if (!command.stats.empty())
         write_file(command.stats,
                    run_stats_json(session.stages(), scene.aggregates, &rendered.figures));
-    if (rendered.result.cancelled)
-        run.console.say("interrupted: the picture holds what was done; --resume continues it");
-    return 0;
+    if (!rendered.result.cancelled)
+        return 0;
+    run.console.say("interrupted: the picture holds what was done; --resume continues it");
+    return interrupted_exit_code();
 }
 
 } // namespace
@@ -295,6 +309,8 @@ void add_render_command(CLI::App& app, Run& run) {
     command->add_flag(
         "--preview", options->preview,
         "Refresh the .png while rendering, and show it in a terminal that has the colours");
+    command->add_flag("--partial", options->partial,
+                      "When interrupted, write the picture with what is done");
     command->add_flag("--denoise", options->denoise,
                       "Add a part without noise to the .exr, and show it in the .png");
     command->add_option("--view", options->look.view, "View for the .png; see `scree view --help`")
@@ -302,8 +318,8 @@ void add_render_command(CLI::App& app, Run& run) {
     add_png_bits_option(*command, options->look.depth);
     add_stats_option(*command, options->stats);
     command->footer(
-        "Ctrl-C keeps what is done. Every minute, and where a render ends unfinished, its\n"
-        "state is written to a .checkpoint beside the .exr, from which --resume goes on.\n"
+        "Every minute, and where a render ends unfinished (Ctrl-C, --time), its state is\n"
+        "written to a .checkpoint beside the .exr, from which --resume goes on.\n"
         "Example:\n  scree render scenes/toys.lua -o toys.exr --spp 64 --aov albedo,N");
     command->callback([options, &run] { run = [options] { return run_render(*options); }; });
 }

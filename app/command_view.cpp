@@ -3,6 +3,7 @@
 #include "app/exr_part.h"
 #include "app/file_option.h"
 #include "app/picture_output.h"
+#include "app/standard_streams.h"
 #include "core/error.h"
 #include "core/file.h"
 #include "core/image.h"
@@ -23,17 +24,25 @@ struct ViewOptions {
     PngLook look;
 };
 
+ExrFile read_picture(const std::string& path) {
+    if (extension(path) != "hdr")
+        return read_exr(path);
+    ExrFile out;
+    out.parts.push_back({{}, read_image(path)});
+    return out;
+}
+
 int view(const ViewOptions& options) {
     if (extension(options.output) != "png")
         throw Error::usage(options.output + ": expected a name that ends in .png");
     check_writable(options.output);
-    const ExrFile file = read_exr(options.input);
+    const ExrFile file = read_picture(options.input);
     const ImagePart& part =
         options.part.empty() ? file.parts.front() : named_part(file, options.input, options.part);
     write_look(options.output, part.image, options.look);
     if (options.part.empty() && file.parts.size() > 1)
-        fmt::print(stderr, "shows the first part of {}; its parts are: {}\n", options.input,
-                   part_names(file));
+        tell(fmt::format("shows the first part of {}; its parts are: {}\n", options.input,
+                         part_names(file)));
     return 0;
 }
 
@@ -41,9 +50,9 @@ int view(const ViewOptions& options) {
 
 void add_view_command(CLI::App& app, Run& run) {
     auto options = std::make_shared<ViewOptions>();
-    CLI::App* command =
-        app.add_subcommand("view", "Turn an .exr into a .png to look at, through OpenColorIO.");
-    command->add_option("FILE", options->input, "Picture to read: .exr")->required();
+    CLI::App* command = app.add_subcommand(
+        "view", "Turn an .exr or .hdr into a .png to look at, through OpenColorIO.");
+    command->add_option("FILE", options->input, "Picture to read: .exr or .hdr")->required();
     add_file_option(*command, "-o,--output", options->output, "File to write: .png")->required();
     command->add_option("--part", options->part, "Part of a multi-part .exr (default: the first)")
         ->type_name("NAME");

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console.h"
 
+#include "app/standard_streams.h"
 #include "app/terminal_picture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 #include <sys/ioctl.h>
@@ -25,17 +23,6 @@ constexpr double bar_interval_s = 0.1;
 constexpr double line_interval_s = 5;        // between lines when not on a terminal, or
 constexpr double line_interval_growth = 0.2; // this share of the elapsed time if that is more
 constexpr int bar_width = 24;
-
-std::atomic<Cancel*> interrupted = nullptr;
-
-void on_interrupt(int signal) {
-    if (Cancel* cancel = interrupted.load(); cancel != nullptr && !cancel->requested()) {
-        cancel->request();
-        return;
-    }
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
-}
 
 bool shows_true_color() {
     const char* colors = std::getenv("COLORTERM");
@@ -74,7 +61,7 @@ void Console::say(const std::string& line) {
         return;
     clear();
     picture_rows_ = 0;
-    fmt::print(stderr, "{}\n", line);
+    tell(line + "\n");
 }
 
 void Console::progress(const std::string& what, double fraction, const std::string& detail) {
@@ -102,13 +89,13 @@ void Console::progress(const std::string& what, double fraction, const std::stri
                                  ? ", " + format_duration(elapsed * (1 - fraction) / done) + " left"
                                  : std::string();
     if (!terminal_) {
-        fmt::print(stderr, "{} {:.0f}%{}{}\n", what, 100 * fraction, detail, left);
+        tell(fmt::format("{} {:.0f}%{}{}\n", what, 100 * fraction, detail, left));
         return;
     }
     const int full = static_cast<int>(fraction * bar_width);
-    fmt::print(stderr, "\r\x1b[K{} [{}{}] {:3.0f}%{}{}", what, std::string(full, '#'),
-               std::string(bar_width - full, '.'), 100 * fraction, detail, left);
-    std::fflush(stderr);
+    control_terminal("\r\x1b[K");
+    tell(fmt::format("{} [{}{}] {:3.0f}%{}{}", what, std::string(full, '#'),
+                     std::string(bar_width - full, '.'), 100 * fraction, detail, left));
     bar_shown_ = true;
 }
 
@@ -120,28 +107,15 @@ void Console::picture(const Image& shown) {
     constexpr int widest = 96; // characters; larger ones scroll slowly
     const TerminalPicture picture = terminal_picture(shown, std::min(columns, widest), rows - 2);
     if (picture_rows_ > 0)
-        fmt::print(stderr, "\x1b[{}A", picture_rows_);
-    fmt::print(stderr, "{}", picture.text);
-    std::fflush(stderr);
+        control_terminal(fmt::format("\x1b[{}A", picture_rows_));
+    control_terminal(picture.text);
     picture_rows_ = picture.rows;
 }
 
 void Console::clear() {
     if (bar_shown_)
-        fmt::print(stderr, "\r\x1b[K");
+        control_terminal("\r\x1b[K");
     bar_shown_ = false;
-}
-
-InterruptGuard::InterruptGuard(Cancel& cancel) {
-    interrupted = &cancel;
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
-}
-
-InterruptGuard::~InterruptGuard() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
-    interrupted = nullptr;
 }
 
 std::string format_duration(double seconds) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/image.h"
-#include "core/progress.h"
 #include "session/watcher.h"
 
 #include <chrono>
@@ -42,16 +41,6 @@ class Console final : public Watcher {
     double first_fraction_ = 0;
     std::chrono::steady_clock::time_point last_shown_;
     std::chrono::steady_clock::time_point started_;
-};
-
-/// While it exists, Ctrl-C (or SIGTERM) requests `cancel` instead of ending the program; a second
-/// Ctrl-C ends the program at once. Only one may exist at a time.
-class InterruptGuard {
-  public:
-    explicit InterruptGuard(Cancel& cancel);
-    ~InterruptGuard();
-    InterruptGuard(const InterruptGuard&) = delete;
-    InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
 /// "1.2 s", "3 min 20 s".

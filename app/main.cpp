@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program: parses the command line, runs one command, and maps errors to exit codes.
 #include "app/commands.h"
+#include "app/interruption.h"
+#include "app/standard_streams.h"
 #include "core/error.h"
 #include "core/progress.h"
 #include "core/version.h"
@@ -8,14 +10,13 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <new>
+#include <sstream>
 
 namespace scree {
 namespace {
 
 constexpr int exit_internal = 70; // sysexits.h EX_SOFTWARE: a programming error
-constexpr int exit_cancelled = 130;
 
 const CLI::App& innermost(const CLI::App& app) {
     const CLI::App* command = &app;
@@ -80,8 +81,11 @@ int run_command_line(int argc, char** argv) {
                  "scree"};
     app.set_version_flag("--version", "scree " SCREE_VERSION);
     app.require_subcommand(0, 1);
-    app.footer("Example:\n  scree render scenes/toys.lua -o toys.exr\n"
-               "`scree COMMAND --help` shows a command's options with an example.");
+    app.footer(
+        "Example:\n  scree render scenes/toys.lua -o toys.exr\n"
+        "`scree COMMAND --help` shows a command's options with an example.\n"
+        "Exit codes: 0, 1 a mistake in what was given, 2 in how it was called, 3 no room, no\n"
+        "memory or no device, 130 interrupted (128 + the signal).");
     Run run;
     add_render_command(app, run);
     add_bake_command(app, run);
@@ -99,8 +103,12 @@ int run_command_line(int argc, char** argv) {
     } catch (const CLI::ExtrasError&) {
         throw unknown_argument(app);
     } catch (const CLI::ParseError& problem) {
-        if (problem.get_exit_code() == 0)
-            return app.exit(problem); // --help, --version
+        if (problem.get_exit_code() == 0) { // --help, --version
+            std::ostringstream text;
+            app.exit(problem, text, text);
+            print_result(text.str());
+            return 0;
+        }
         if (has_unknown_option(app))
             throw unknown_argument(app); // it may be why another argument is missing
         const std::string name = command_name(innermost(app));
@@ -108,31 +116,42 @@ int run_command_line(int argc, char** argv) {
                            fmt::format("see {} --help", name));
     }
     if (!run) {
-        fmt::print(stderr, "{}", app.help());
+        tell(app.help());
         return static_cast<int>(Fault::usage);
     }
     return run();
+}
+
+// The exit code of `run`, which may throw.
+int reported(const Run& run) {
+    try {
+        return run();
+    } catch (const Error& error) {
+        tell(std::string(error.what()) + "\n");
+        return static_cast<int>(error.fault());
+    } catch (const Cancelled&) {
+        tell("cancelled\n");
+        return interrupted_exit_code();
+    } catch (const std::bad_alloc&) {
+        tell("out of memory\n");
+        return static_cast<int>(Fault::resource);
+    } catch (const std::exception& failure) {
+        tell(fmt::format(
+            "internal error: {}\nThis is a mistake in Scree itself; please report it.\n",
+            failure.what()));
+        return exit_internal;
+    }
 }
 
 } // namespace
 } // namespace scree
 
 int main(int argc, char** argv) {
-    try {
-        return scree::run_command_line(argc, argv);
-    } catch (const scree::Error& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return static_cast<int>(error.fault());
-    } catch (const scree::Cancelled&) {
-        fmt::print(stderr, "cancelled\n");
-        return scree::exit_cancelled;
-    } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "out of memory\n");
-        return static_cast<int>(scree::Fault::resource);
-    } catch (const std::exception& failure) {
-        fmt::print(stderr,
-                   "internal error: {}\nThis is a mistake in Scree itself; please report it.\n",
-                   failure.what());
-        return scree::exit_internal;
-    }
+    scree::fill_closed_streams();
+    scree::heed_signals();
+    return scree::reported([&] {
+        const int code = scree::run_command_line(argc, argv);
+        scree::finish_results();
+        return code;
+    });
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/console.h"
+#include "app/interruption.h"
 #include "session/session.h"
 
 namespace CLI {
@@ -23,14 +24,12 @@ struct SceneOptions {
     SessionOptions session() const; // throws Error (usage) when a --set is not name=value
 };
 
-/// The objects that one run of such a command needs. Ctrl-C requests `cancel`.
+/// The objects that one run of such a command needs.
 struct SceneRun {
     explicit SceneRun(const SceneOptions& options)
-        : console(options.quiet), guard(cancel), session(options.session(), console, cancel) {}
+        : console(options.quiet), session(options.session(), console, interruption()) {}
 
     Console console;
-    Cancel cancel;
-    InterruptGuard guard;
     Session session;
 };
 

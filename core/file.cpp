@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
+#include <linux/magic.h>
+#include <sys/vfs.h>
 
 namespace scree {
 
@@ -25,18 +25,6 @@ fs::path folder_of(const std::string& path) {
     return folder.empty() ? fs::path(".") : folder;
 }
 
-// The data must be synced before the rename, the folder after it.
-void sync_path(const fs::path& path, int flags) {
-    const int descriptor = open(path.c_str(), flags | O_CLOEXEC);
-    if (descriptor < 0)
-        throw Error::resource("cannot open " + path.string() + ": " + reason(errno));
-    const int failed = fsync(descriptor) != 0 ? errno : 0;
-    close(descriptor);
-    // Some file systems cannot sync a folder (EINVAL); no data is lost.
-    if (failed != 0 && failed != EINVAL && failed != EROFS)
-        throw Error::resource("cannot write " + path.string() + ": " + reason(failed));
-}
-
 // "did you mean bunny.obj?" for a missing file with a similarly named neighbour.
 std::string near_file(const std::string& path) {
     std::vector<std::string> names;
@@ -47,6 +35,26 @@ std::string near_file(const std::string& path) {
     return did_you_mean(file_name(path), names);
 }
 
+const char* kind_in_words(fs::file_type type) {
+    switch (type) {
+    case fs::file_type::directory:
+        return "a folder";
+    case fs::file_type::fifo:
+        return "a pipe";
+    case fs::file_type::socket:
+        return "a socket";
+    default:
+        return "a device";
+    }
+}
+
+// What the kernel makes up while it is read: a file's size says nothing, and it may never end.
+bool is_made_by_the_kernel(const std::string& path) {
+    struct statfs system {};
+    return statfs(path.c_str(), &system) == 0 &&
+           (system.f_type == PROC_SUPER_MAGIC || system.f_type == SYSFS_MAGIC);
+}
+
 } // namespace
 
 void check_is_file(const std::string& path) {
@@ -54,8 +62,10 @@ void check_is_file(const std::string& path) {
     const fs::file_status status = fs::status(path, code);
     if (!fs::exists(status))
         throw Error(Diagnostic{{}, {}, path + ": no such file", near_file(path)});
-    if (fs::is_directory(status))
-        throw Error(path + ": is a folder, not a file");
+    if (!fs::is_regular_file(status))
+        throw Error(path + ": is " + kind_in_words(status.type()) + ", not a file");
+    if (is_made_by_the_kernel(path))
+        throw Error(path + ": is made by the kernel, not a file on a disk");
 }
 
 std::string read_file(const std::string& path, std::uint64_t limit) {
@@ -73,60 +83,6 @@ std::string read_file(const std::string& path, std::uint64_t limit) {
     if (in.bad())
         throw Error(path + ": cannot be read: " + reason(errno));
     return bytes;
-}
-
-void check_writable(const std::string& path) {
-    if (fs::is_directory(path))
-        throw Error::resource("cannot write " + path + ": is a folder");
-    const fs::path folder = folder_of(path);
-    if (!fs::exists(folder))
-        throw Error::resource("cannot write " + path + ": no such folder " + folder.string());
-    if (!fs::is_directory(folder))
-        throw Error::resource("cannot write " + path + ": " + folder.string() + " is not a folder");
-    if (access(folder.c_str(), W_OK) != 0)
-        throw Error::resource("cannot write " + path + ": " + reason(errno));
-}
-
-void write_atomically(const std::string& path,
-                      const std::function<void(const std::string& temporary_path)>& write) {
-    check_writable(path);
-    // The temporary name keeps the extension, by which image libraries choose the format.
-    const fs::path target(path);
-    const fs::path temporary =
-        folder_of(path) /
-        (target.stem().string() + ".tmp." + std::to_string(getpid()) + target.extension().string());
-    try {
-        write(temporary.string());
-        sync_path(temporary, O_RDONLY);
-        fs::rename(temporary, target);
-    } catch (const fs::filesystem_error& failure) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        throw Error::resource("cannot write " + path + ": " + failure.code().message());
-    } catch (...) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        throw;
-    }
-    sync_path(folder_of(path), O_RDONLY | O_DIRECTORY);
-}
-
-void write_stream(const std::string& path, const std::function<void(std::ostream& out)>& write) {
-    write_atomically(path, [&](const std::string& temporary) {
-        errno = 0;
-        std::ofstream out(temporary, std::ios::binary);
-        if (out)
-            write(out);
-        out.close();
-        if (!out)
-            throw Error::resource("cannot write " + path + ": " + reason(errno != 0 ? errno : EIO));
-    });
-}
-
-void write_file(const std::string& path, std::string_view bytes) {
-    write_stream(path, [&](std::ostream& out) {
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    });
 }
 
 std::string extension(const std::string& path) {

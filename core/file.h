@@ -10,16 +10,17 @@
 namespace scree {
 
 /// Throws Error (input) when the file is missing, with a neighbour of a similar name as hint, or is
-/// a folder.
+/// a folder, a pipe, a device, or one of /proc and /sys.
 void check_is_file(const std::string& path);
 
-/// The whole file as bytes. Throws Error (input) when it is missing, a folder, unreadable, or
+/// The whole file as bytes. Throws Error (input) as check_is_file, and when it is unreadable or
 /// larger than `limit` bytes.
 std::string read_file(const std::string& path, std::uint64_t limit = std::uint64_t{4} << 30);
 
-/// Lets `write` create a file under a temporary name in the same folder, syncs it and renames it to
-/// `path`, so that a failed write leaves an old file intact. When `write` throws, the temporary
-/// file is removed. Throws Error (resource) when the folder is not writable.
+/// Lets `write` fill a file under a temporary name in the same folder (see TemporaryFile), syncs it
+/// and renames it to `path`, or to what symbolic links there lead to, so that a failed write leaves
+/// an old file intact. Pipes and devices are not replaced: they get a copy of the bytes. Throws Error
+/// (resource) when that is not possible.
 void write_atomically(const std::string& path,
                       const std::function<void(const std::string& temporary_path)>& write);
 

@@ -31,8 +31,9 @@ namespace {
 // of the last writes; this stream remembers them.
 class CheckedStream final : public Imf::OStream {
   public:
-    explicit CheckedStream(const std::string& path)
-        : OStream(path.c_str()), file_(std::fopen(path.c_str(), "wb")) {
+    /// Errors name the path that the file will have.
+    CheckedStream(const std::string& temporary, const std::string& path)
+        : OStream(path.c_str()), file_(std::fopen(temporary.c_str(), "wb")) {
         if (file_ == nullptr)
             fail();
     }
@@ -153,7 +154,7 @@ void write_exr(const std::string& path, std::span<const ImagePart> parts, const 
             headers.push_back(header_of(parts[i], i, window, metadata, numbers));
         try {
             Imf::setGlobalThreadCount(thread_count());
-            CheckedStream stream(temporary);
+            CheckedStream stream(temporary, path);
             {
                 Imf::MultiPartOutputFile file(stream, headers.data(),
                                               static_cast<int>(headers.size()));

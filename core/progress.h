@@ -20,8 +20,34 @@ class Cancel {
             throw Cancelled{};
     }
 
+    /// Whether there is a KeepingWork.
+    bool is_kept_waiting() const noexcept { return keepers_.load() > 0; }
+
   private:
+    friend class KeepingWork;
+
     std::atomic<bool> requested_ = false;
+    mutable std::atomic<int> keepers_ = 0;
+};
+
+/// Exists while a computation runs that ends by itself soon after a cancel was requested, and then
+/// keeps what it has done: it is not to be ended by force.
+class KeepingWork {
+  public:
+    /// Null: nobody can request a cancel.
+    explicit KeepingWork(const Cancel* cancel) : cancel_(cancel) {
+        if (cancel_ != nullptr)
+            ++cancel_->keepers_;
+    }
+    KeepingWork(const KeepingWork&) = delete;
+    KeepingWork& operator=(const KeepingWork&) = delete;
+    ~KeepingWork() {
+        if (cancel_ != nullptr)
+            --cancel_->keepers_;
+    }
+
+  private:
+    const Cancel* cancel_;
 };
 
 /// Called with the current stage and the fraction done in [0, 1]; from any thread, but never from

@@ -43,11 +43,6 @@ Checkpoint::Checkpoint(std::string path, const Scene& scene, const RenderOptions
 
 bool Checkpoint::exists() const { return std::filesystem::exists(path_); }
 
-void Checkpoint::remove() const {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-}
-
 void Checkpoint::write(const Rendering& rendering) const {
     write_stream(path_, [&](std::ostream& out) {
         out << title_line << '\n' << picture_;

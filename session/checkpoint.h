@@ -24,8 +24,6 @@ class Checkpoint {
     /// Throws Error (input) when the file is cut off or of another picture, naming what differs.
     void read(Rendering& rendering) const;
 
-    void remove() const;
-
     const std::string& path() const { return path_; }
 
   private:

@@ -104,8 +104,6 @@ class Carer {
             return;
         if (care_.resume || !rendering.finished())
             save(rendering);
-        else
-            checkpoint_.remove();
     }
 
     Watcher& watcher_;
@@ -124,15 +122,18 @@ Rendered render_scene(Session& session, const Scene& scene, const RenderOptions&
     const World world(scene.aggregates, scene.lights, session.context("build"),
                       world_origin(scene.camera.value()));
     session.stages().begin("render");
-    Rendering rendering(world, scene.camera.value(), scene.film, options,
-                        session.context("render"));
+    const Context context = session.context("render");
+    const KeepingWork keeping(context.cancel);
+    Rendering rendering(world, scene.camera.value(), scene.film, options, context);
     Carer(session, scene, options, care).run(rendering);
     session.stages().end();
+    const bool is_spent = rendering.finished() && !care.resume;
     const RenderFigures figures{rendering.stats(), world.instance_count(), world.memory_bytes(),
                                 world.strand_figures()};
     return {{rendering.take_film(), figures.stats, rendering.cancelled()},
             figures,
-            {world.materials().begin(), world.materials().end()}};
+            {world.materials().begin(), world.materials().end()},
+            is_spent ? care.checkpoint : std::string()};
 }
 
 } // namespace scree

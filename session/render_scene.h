@@ -24,11 +24,12 @@ struct Rendered {
     RenderResult result;
     RenderFigures figures;
     std::vector<std::shared_ptr<const Material>> materials; // by Seen::material
+    std::string spent_checkpoint{}; // to be removed once the picture is written; empty: none
 };
 
 /// Builds the world of a scene (stage "build") and renders it (stage "render"). A checkpoint is
-/// written while it renders and when it is interrupted, and removed when the picture is finished,
-/// unless it was resumed. Throws Error when the scene has no camera, and as World, Rendering and
+/// written while it renders and when it is interrupted; that of a finished picture is spent, unless
+/// it was resumed. Throws Error when the scene has no camera, and as World, Rendering and
 /// Checkpoint::read do.
 Rendered render_scene(Session& session, const Scene& scene, const RenderOptions& options,
                       const RenderCare& care = {});

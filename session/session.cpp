@@ -23,6 +23,8 @@ std::string describe(const Aggregate& aggregate) {
     for (const auto& [name, value] : aggregate.facts) {
         if (name == "fill")
             out += fmt::format(", fill {:.3f}", value);
+        if (name == "removed" && value > 0)
+            out += fmt::format(", {:g} removed that nothing held", value);
         if (name == "seconds")
             out += fmt::format(", {:.2f} s", value);
     }

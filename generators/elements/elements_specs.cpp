@@ -138,8 +138,8 @@ std::vector<ParamSpec> elements_specs() {
          .max = 10000.0},
         {.name = "background",
          .type = ParamType::path,
-         .doc = "A PNG, JPEG, EXR, HDR or SVG under a baked picture of the elements; it fills the "
-                "domain's bounding box.",
+         .doc = "A PNG, JPEG, EXR, HDR or SVG under a baked picture of the elements, which fills the "
+                "domain's bounding box; for one colour, an SVG with a rectangle of it.",
          .optional = true},
         {.name = "seed",
          .type = ParamType::integer,

@@ -39,6 +39,7 @@ void check_support(PlacedBodies& pile, const Mesh& target, const SupportSettings
                                {"unsupported", number_of(found.unsupported)},
                                {"falling", number_of(found.falling)}});
     if (settings.check == SupportCheck::remove) {
+        facts.emplace_back("removed", number_of(found.falling));
         pile = without(pile, found.falling);
         graph = contact_graph(pile, contacts);
     }

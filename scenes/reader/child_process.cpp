@@ -51,6 +51,9 @@ std::size_t mapped_bytes() {
         _exit(1);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGPROF, SIGXCPU, SIGXFSZ})
         std::signal(signal, SIG_DFL);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
     if (pipe_end != channel_descriptor)
         dup2(pipe_end, channel_descriptor);
     close_range(channel_descriptor + 1, ~0U, 0);

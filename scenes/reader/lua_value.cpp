@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Converts a Lua value to a tree of located nodes.
+#include "core/utf8.h"
 #include "scenes/reader/sandbox.h"
 
 #include <algorithm>
@@ -15,29 +16,6 @@ namespace {
 constexpr int max_depth = 40; // usual scenes have less than 10
 constexpr std::size_t max_mistakes = 100;
 constexpr std::size_t longest_path = 60;
-
-bool is_utf8(std::string_view text) {
-    std::size_t i = 0;
-    while (i < text.size()) {
-        const auto first = static_cast<unsigned char>(text[i++]);
-        if (first < 0x80)
-            continue;
-        if (first < 0xC0 || first >= 0xF8)
-            return false;
-        int more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : 1;
-        std::uint32_t code = first & (0x3FU >> unsigned(more));
-        const int length = more;
-        for (; more > 0; --more, ++i) {
-            if (i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80)
-                return false;
-            code = code << 6U | (static_cast<unsigned char>(text[i]) & 0x3FU);
-        }
-        constexpr std::uint32_t smallest[] = {0, 0x80, 0x800, 0x10000};
-        if (code < smallest[length] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF))
-            return false;
-    }
-    return true;
-}
 
 // Where a table is written in the script's source, if known.
 struct Written {

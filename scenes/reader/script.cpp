@@ -3,6 +3,7 @@
 
 #include "core/file.h"
 #include "core/progress.h"
+#include "core/utf8.h"
 #include "scenes/reader/json.h"
 #include "scenes/reader/sandbox.h"
 
@@ -69,9 +70,9 @@ class Answer {
 
     void print(const std::string& text) const {
         if (options_.print)
-            options_.print(text);
-        else
-            std::fwrite(text.data(), 1, text.size(), stderr);
+            return options_.print(text);
+        const std::string shown = visible(text);
+        std::fwrite(shown.data(), 1, shown.size(), stderr);
     }
 
     Location location(const std::string& bytes) const {

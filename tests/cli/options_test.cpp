@@ -215,8 +215,9 @@ TEST_F(OptionsCli, PartsOfAPictureAreSaidAndChosen) {
               "a.exr: has no part n; there are: beauty, albedo, N\n  did you mean N?\n");
     EXPECT_EQ(run("view layout.exr -o a.png").err, "") << "it has one part";
 
-    EXPECT_EQ(run("diff a.exr b.exr").out, "the first part, of a.exr: beauty, albedo, N\n"
-                                           "rmse 0, largest 0 at (0, 0), pixels identical\n");
+    EXPECT_EQ(run("diff a.exr b.exr").out,
+              "compares the part beauty; a.exr has: beauty, albedo, N\n"
+              "rmse 0, largest 0 at (0, 0), pixels identical\n");
     EXPECT_EQ(run("diff a.exr b.exr --part albedo").code, 0);
     EXPECT_EQ(run("diff a.exr b.exr --part N").err,
               "b.exr: has no part N; there are: beauty, albedo\n");
@@ -321,6 +322,16 @@ TEST_F(OptionsCli, ASceneLooksTheSameFarFromTheOrigin) {
         EXPECT_LT(different, near.pixels.size() / 50) << o;
         EXPECT_NEAR(double(file.parts[1].image.at(32, 40)[0]), o, 0.3) << o;
     }
+}
+
+TEST_F(OptionsCli, ViewShowsAnEnvironmentPicture) {
+    const std::string pixel{char(128), 64, 0, char(129)}; // red 1, green 0.5, in shared exponents
+    write_file(path("sky.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" + pixel);
+    ASSERT_EQ(run("view sky.hdr -o sky.png --view raw").code, 0);
+    const Image shown = read_data_image(path("sky.png"));
+    EXPECT_NEAR(shown.at(0, 0)[0], 1.0F, 0.01F);
+    EXPECT_NEAR(shown.at(0, 0)[1], 0.5F, 0.01F);
+    EXPECT_NEAR(shown.at(0, 0)[2], 0.0F, 0.01F);
 }
 
 } // namespace
