@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "app/file_option.h"
+#include "app/number_checks.h"
 #include "app/scene_options.h"
 #include "core/file.h"
 #include "formats/table.h"
@@ -10,7 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 
 namespace scree {
@@ -62,18 +62,6 @@ void BakeOptions::add_solid_options(CLI::App& command) {
                     "Components that are not closed: stop with an error, or skip them")
         ->check(CLI::IsMember({"error", "skip"}))
         ->group(group);
-}
-
-// What is wrong with a --size; "" for nothing.
-std::string problem_of_size(const std::string& given) {
-    int pixels = 0;
-    const char* end = given.data() + given.size();
-    const auto [rest, code] = std::from_chars(given.data(), end, pixels);
-    if (code == std::errc() && rest == end && pixels >= 16 && pixels <= 32768)
-        return "";
-    return fmt::format("expected one number of pixels from 16 to 32768, for the longer side of the "
-                       ".png or .exr, whose form is that of the layout; got {}",
-                       given);
 }
 
 void check_length(const std::string& option, double length) {

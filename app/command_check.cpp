@@ -3,6 +3,7 @@
 #include "app/scene_options.h"
 #include "app/standard_streams.h"
 #include "core/text.h"
+#include "core/utf8.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -54,11 +55,11 @@ int check(const CheckOptions& options) {
     const Scene& scene = draft.scene;
     const std::size_t warned = run.console.warnings();
     if (!options.scene.quiet)
-        print_result(fmt::format(
+        print_result(visible(fmt::format(
             "{}: {}: {}, {}, {}, {} x {} pixels\n", scene.name,
             warned == 0 ? "no mistakes" : "no errors, " + counted(warned, "warning"),
             counted(generators, "generator"), counted(draft.items.size() - generators, "object"),
-            counted(scene.lights.size(), "light"), scene.film.width, scene.film.height));
+            counted(scene.lights.size(), "light"), scene.film.width, scene.film.height)));
     return 0;
 }
 

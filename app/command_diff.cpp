@@ -4,6 +4,7 @@
 #include "app/standard_streams.h"
 #include "core/error.h"
 #include "core/image.h"
+#include "core/utf8.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -108,8 +109,8 @@ int diff(const DiffOptions& options) {
                  : named_part(b, options.b, options.part.empty() ? part_a.name : options.part);
     check_alike(part_a.image, part_b.image, options);
     if (options.part.empty() && a.parts.size() + b.parts.size() > 2)
-        print_result(fmt::format("compares the part {}; {} has: {}\n", part_a.name, options.a,
-                                 part_names(a)));
+        print_result(visible(fmt::format("compares the part {}; {} has: {}\n", part_a.name,
+                                         options.a, part_names(a))));
     const bool is_first = &part_a == &a.parts.front();
     const Difference d =
         compare(part_a.image, part_b.image, is_first ? find_part(a, "variance") : nullptr,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 #include "app/file_option.h"
+#include "app/number_checks.h"
 #include "app/picture_output.h"
 #include "app/scene_options.h"
 #include "core/text.h"
@@ -279,11 +280,11 @@ void add_render_command(CLI::App& app, Run& run) {
     command->add_option("--spp", options->samples, "Samples per pixel (default: the scene's)")
         ->check(CLI::Range(1, 1 << 24));
     command->add_option("--time", options->time_limit, "Stop after this many seconds")
-        ->check(CLI::PositiveNumber);
+        ->check(problem_of_positive);
     command
         ->add_option("--noise", options->noise,
                      "Stop where the relative error of luminance is below this; 0.02 is 2%")
-        ->check(CLI::PositiveNumber);
+        ->check(problem_of_positive);
     command->add_option("--size", options->size, "Size of the picture, as in 1280x720")
         ->type_name("WxH");
     command
@@ -291,7 +292,8 @@ void add_render_command(CLI::App& app, Run& run) {
                      "Render this part of the picture only, in pixels from its top left corner; it "
                      "keeps its place in the .exr")
         ->type_name("x,y,w,h");
-    command->add_option("--seed", options->seed, "Seed of the samples; not of the scene");
+    command->add_option("--seed", options->seed, "Seed of the samples; not of the scene")
+        ->check(problem_of_seed);
     command
         ->add_option("--aov", options->aovs,
                      "Parts to write beside the beauty: " +

@@ -20,6 +20,7 @@ void add_height_command(CLI::App& app, Run& run);
 void add_texture_command(CLI::App& app, Run& run);
 void add_view_command(CLI::App& app, Run& run);
 void add_merge_command(CLI::App& app, Run& run);
+void add_farm_command(CLI::App& app, Run& run);
 void add_diff_command(CLI::App& app, Run& run);
 void add_check_command(CLI::App& app, Run& run);
 void add_list_command(CLI::App& app, Run& run);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/interruption.h"
 
-#include "app/standard_streams.h"
 #include "core/temporary_file.h"
 
 #include <csignal>
 #include <ctime>
+#include <poll.h>
+#include <string_view>
 #include <thread>
 #include <unistd.h>
 
@@ -13,8 +14,8 @@ namespace scree {
 
 namespace {
 
-constexpr timespec patience{0, 300'000'000}; // with computations that do not check
 constexpr timespec moment{0, 20'000'000};
+constexpr int most_moments = 15; // that computations which do not check are given
 
 std::atomic<int> last_signal = 0;
 
@@ -23,9 +24,13 @@ Cancel& requested_by_signals() {
     return cancel;
 }
 
+// Another thread may be waiting for a full stderr, and holds its lock then.
 [[noreturn]] void end_at_once() {
     abandon_temporary_files();
-    tell("cancelled\n");
+    constexpr std::string_view text = "cancelled\n";
+    pollfd err{STDERR_FILENO, POLLOUT, 0};
+    if (poll(&err, 1, 0) > 0)
+        static_cast<void>(!write(STDERR_FILENO, text.data(), text.size()));
     _exit(interrupted_exit_code());
 }
 
@@ -36,12 +41,9 @@ Cancel& requested_by_signals() {
     }
     last_signal = signal;
     requested_by_signals().request();
-    timespec wait = patience;
-    do {
-        if (sigtimedwait(&signals, nullptr, &wait) > 0)
-            break;
-        wait = moment;
-    } while (requested_by_signals().is_kept_waiting());
+    int moments = 0; // in which nobody kept this waiting
+    while (moments < most_moments && sigtimedwait(&signals, nullptr, &moment) < 0)
+        moments = requested_by_signals().is_kept_waiting() ? 0 : moments + 1;
     end_at_once();
 }
 

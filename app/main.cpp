@@ -94,6 +94,7 @@ int run_command_line(int argc, char** argv) {
     add_view_command(app, run);
     add_merge_command(app, run);
     add_diff_command(app, run);
+    add_farm_command(app, run);
     add_analyse_command(app, run);
     add_check_command(app, run);
     add_list_command(app, run);

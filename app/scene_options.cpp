@@ -12,6 +12,12 @@ void SceneOptions::add_to(CLI::App& command) {
         ->type_name("K=V")
         ->allow_extra_args(false) // or it would take the scene's name too
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    command
+        .add_option("--allow-read", readable_folders,
+                    "Folder from which the script may include files, beside its own")
+        ->type_name("DIR")
+        ->allow_extra_args(false)
+        ->check(CLI::ExistingDirectory);
     command.add_option("--threads", threads, "Threads to use; 0: all")->check(CLI::Range(0, 1024));
     command.add_option("--device", device,
                        "OpenCL device: part of its name, cpu, gpu, or none to do without");
@@ -19,7 +25,7 @@ void SceneOptions::add_to(CLI::App& command) {
 }
 
 SessionOptions SceneOptions::session() const {
-    SessionOptions out{path, {}, device, threads};
+    SessionOptions out{path, {}, readable_folders, device, threads};
     for (const std::string& set : sets) {
         const std::size_t sign = set.find('=');
         if (sign == std::string::npos || sign == 0)

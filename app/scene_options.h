@@ -16,6 +16,7 @@ namespace scree {
 struct SceneOptions {
     std::string path;
     std::vector<std::string> sets; // "seed=9"
+    std::vector<std::string> readable_folders;
     std::string device;
     int threads = 0;
     bool quiet = false;

@@ -3,12 +3,15 @@
 
 #include "core/drawing_raster.h"
 #include "core/drawing_style.h"
+#include "core/embedded_picture.h"
 #include "core/error.h"
+#include "core/text.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 namespace scree {
@@ -16,6 +19,8 @@ namespace scree {
 namespace {
 
 constexpr int max_depth = 200; // usual drawings have less than 20
+constexpr std::uint64_t max_drawn = 200'000;
+constexpr int max_chain = 1000; // of elements and clones, one in the other
 
 // White space within text elements is significant.
 constexpr unsigned parsing = pugi::parse_default | pugi::parse_ws_pcdata;
@@ -57,6 +62,48 @@ void for_each_element(pugi::xml_node root, const Visit& visit) {
     root.traverse(walker);
 }
 
+/// How many elements are drawn when every `use` is replaced by what it refers to.
+class DrawnElements {
+  public:
+    explicit DrawnElements(const pugi::xml_node& root) {
+        for_each_element(root, [&](const pugi::xml_node& node, int) {
+            if (const char* id = node.attribute("id").value(); *id != '\0')
+                by_id_.emplace(id, node);
+        });
+    }
+
+    /// `max_drawn` for as many or more, and where clones of clones are nested too deep.
+    std::uint64_t count(const pugi::xml_node& node, int depth = 0) {
+        if (depth > max_chain)
+            return max_drawn;
+        std::uint64_t sum = 1;
+        if (local_name(node.name()) == "use")
+            for (const pugi::xml_attribute& attribute : node.attributes())
+                if (is_reference(attribute.name()))
+                    sum += count_of(std::string(trimmed(attribute.value())), depth);
+        for (const pugi::xml_node& child : node.children())
+            if (is_element(child) && sum < max_drawn && local_name(child.name()) != "defs" &&
+                local_name(child.name()) != "symbol")
+                sum += count(child, depth + 1);
+        return std::min(sum, max_drawn);
+    }
+
+  private:
+    std::uint64_t count_of(const std::string& reference, int depth) {
+        const auto target =
+            by_id_.find(reference.substr(std::min<std::size_t>(1, reference.size())));
+        if (target == by_id_.end())
+            return 0;
+        const auto [known, is_new] = counts_.try_emplace(target->first, 0); // 0: in a circle
+        if (is_new)
+            known->second = count(target->second, depth + 1);
+        return known->second;
+    }
+
+    std::map<std::string, pugi::xml_node> by_id_;
+    std::map<std::string, std::uint64_t> counts_;
+};
+
 class Checker {
   public:
     explicit Checker(const std::string& bytes) : bytes_(bytes) {
@@ -76,6 +123,8 @@ class Checker {
                 fail(node, fmt::format("elements are nested more than {} deep", max_depth));
             check(node);
         });
+        if (DrawnElements(root()).count(root()) >= max_drawn)
+            fail(root(), fmt::format("more than {} elements are drawn, with clones", max_drawn));
     }
 
     pugi::xml_node root() const { return document_.document_element(); }
@@ -123,6 +172,13 @@ class Checker {
             return; // a link, which `read_drawing` leaves out
         if (is_reference(name) && !is_inside(value))
             refuse(fmt::format("refers to \"{:.60}\", outside the file; embed it", value));
+        if (is_reference(name) && lower_case(trimmed(value).substr(0, 5)) == "data:") {
+            try {
+                check_embedded_picture(value);
+            } catch (const Error& error) {
+                refuse(error.diagnostics().front().message);
+            }
+        }
         if (name == "attributeName" && is_reference(value))
             refuse("animates a reference");
         if (name.find(':') != std::string_view::npos)

@@ -20,11 +20,6 @@ namespace {
 
 std::string reason(int code) { return std::strerror(code); }
 
-fs::path folder_of(const std::string& path) {
-    const fs::path folder = fs::path(path).parent_path();
-    return folder.empty() ? fs::path(".") : folder;
-}
-
 // "did you mean bunny.obj?" for a missing file with a similarly named neighbour.
 std::string near_file(const std::string& path) {
     std::vector<std::string> names;
@@ -48,14 +43,13 @@ const char* kind_in_words(fs::file_type type) {
     }
 }
 
-// What the kernel makes up while it is read: a file's size says nothing, and it may never end.
+} // namespace
+
 bool is_made_by_the_kernel(const std::string& path) {
     struct statfs system {};
     return statfs(path.c_str(), &system) == 0 &&
            (system.f_type == PROC_SUPER_MAGIC || system.f_type == SYSFS_MAGIC);
 }
-
-} // namespace
 
 void check_is_file(const std::string& path) {
     std::error_code code;
@@ -93,6 +87,11 @@ std::string extension(const std::string& path) {
 }
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
+
+std::string folder_of(const std::string& path) {
+    const std::string folder = fs::path(path).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
 
 std::string resolve_path(const std::string& path, const std::string& base_file) {
     const fs::path given(path);

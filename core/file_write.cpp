@@ -3,7 +3,6 @@
 #include "core/file.h"
 #include "core/temporary_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -30,24 +29,25 @@ Error cannot_write(const std::string& path, int code) {
 struct Destination {
     fs::path path;        // behind symbolic links
     bool is_plain = true; // a file that can be replaced, or none yet; not a pipe or a device
-    fs::path folder() const { return path.has_parent_path() ? path.parent_path() : "."; }
+    fs::path folder() const { return folder_of(path.string()); }
 };
 
-// A link into /proc, such as /dev/stdout, is an open file of a process: it is written, not
-// replaced.
+// What a link in /proc leads to, as /dev/stdout does, is an open file: it is written, not replaced.
 Destination destination_of(const std::string& path) {
     Destination to{path};
     std::error_code code;
-    for (int links = 0; fs::is_symlink(fs::symlink_status(to.path, code)); ++links) {
+    for (int links = 0; fs::is_symlink(fs::symlink_status(to.path, code)) &&
+                        !is_made_by_the_kernel(to.folder().string());
+         ++links) {
         if (links == 40)
             throw cannot_write(path, ELOOP);
         const fs::path next = fs::read_symlink(to.path, code);
         if (code)
             throw cannot_write(path, code.message());
         to.path = to.folder() / next; // `next` alone when it is absolute
-        if (to.path.string().starts_with("/proc/"))
-            return {path, false};
     }
+    if (is_made_by_the_kernel(to.folder().string()))
+        return {path, false};
     const fs::file_status status = fs::status(to.path, code);
     to.is_plain = !fs::exists(status) || fs::is_regular_file(status);
     return to;
@@ -103,6 +103,8 @@ void write_through(const std::string& path,
     const TemporaryFile file(fs::temp_directory_path() / fs::path(path).filename());
     write(file.path());
     std::ifstream in(file.path(), std::ios::binary);
+    if (!in)
+        throw cannot_write(path, errno);
     const int descriptor = open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
     if (descriptor < 0)
         throw cannot_write(path, errno);

@@ -85,6 +85,7 @@ void read_vectors(const std::string& path, int pixels, Picture& picture) {
 } // namespace
 
 Picture read_picture(const std::string& path, int pixels, const ImageOptions& options) {
+    check_is_file(path); // before it is opened, which for a pipe takes until somebody writes
     Picture picture;
     picture.name = file_name(path);
     const bool drawing = is_drawing(path);

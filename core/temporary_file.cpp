@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/temporary_file.h"
 
-#include <algorithm>
+#include "core/file.h"
+
 #include <cerrno>
 #include <climits>
 #include <fcntl.h>
@@ -65,10 +66,6 @@ std::string random_key() {
     return key;
 }
 
-fs::path folder_of(const fs::path& target) {
-    return target.has_parent_path() ? target.parent_path() : fs::path(".");
-}
-
 // A file that nobody has locked belongs to no live program. File systems without locks keep all.
 void remove_left_overs(const fs::path& folder, const Names& names) {
     std::error_code ignored;
@@ -96,7 +93,7 @@ bool is_locked_in_place(int descriptor) {
 } // namespace
 
 TemporaryFile::TemporaryFile(const fs::path& target) {
-    const fs::path folder = folder_of(target);
+    const fs::path folder = folder_of(target.string());
     const Names names(target);
     LiveFiles& live = live_files();
     const std::lock_guard hold(live.lock);

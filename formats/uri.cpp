@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/uri.h"
 
+#include "core/base64.h"
 #include "core/error.h"
-#include "formats/base64.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base64.h"
 #include "core/display_encoding.h"
 #include "core/drawing.h"
-#include "formats/base64.h"
 #include "formats/layout_picture.h"
 
 #include <fmt/format.h>

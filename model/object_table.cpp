@@ -40,9 +40,8 @@ std::vector<ParamSpec> object_params() {
          .type = ParamType::vector3,
          .doc = "Factors along x, y and z, applied before the rotation; one number for all three.",
          .fallback = Vec3(1.0F),
-         .min = 0.0,
+         .min = 1e-6,
          .max = 1e6,
-         .above_min = true,
          .uniform = true},
         name_spec(),
     };

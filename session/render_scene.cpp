@@ -102,7 +102,7 @@ class Carer {
     void end(const Rendering& rendering) {
         if (care_.checkpoint.empty())
             return;
-        if (care_.resume || !rendering.finished())
+        if (care_.resume || !rendering.finished() || rendering.cancelled())
             save(rendering);
     }
 
@@ -127,7 +127,7 @@ Rendered render_scene(Session& session, const Scene& scene, const RenderOptions&
     Rendering rendering(world, scene.camera.value(), scene.film, options, context);
     Carer(session, scene, options, care).run(rendering);
     session.stages().end();
-    const bool is_spent = rendering.finished() && !care.resume;
+    const bool is_spent = rendering.finished() && !rendering.cancelled() && !care.resume;
     const RenderFigures figures{rendering.stats(), world.instance_count(), world.memory_bytes(),
                                 world.strand_figures()};
     return {{rendering.take_film(), figures.stats, rendering.cancelled()},

@@ -48,7 +48,8 @@ Session::Session(SessionOptions options, Watcher& watcher, const Cancel& cancel,
       catalog_(std::move(catalog)) {}
 
 DescriptionNode Session::description() const {
-    return read_description(options_.path, options_.overrides, catalog_.constructor_families());
+    return read_description(options_.path, options_.overrides, catalog_.constructor_families(),
+                            options_.readable_folders);
 }
 
 SceneDraft Session::load() {

@@ -20,6 +20,7 @@ namespace scree {
 struct SessionOptions {
     std::string path;                               // of the scene
     std::map<std::string, std::string> overrides{}; // values for the script's arg(...)
+    std::vector<std::string> readable_folders{};    // where include(...) may read too
     std::string device{};                           // as Device takes it, or "none"
     int threads = 0;                                // 0: all
 };

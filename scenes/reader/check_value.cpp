@@ -13,6 +13,9 @@ namespace scree {
 
 namespace {
 
+// Where a parameter has no limit of its own: beyond, nothing can be told apart in single precision.
+constexpr double largest_number = 1e9;
+
 std::optional<double> as_number(const Description& value) {
     if (!value.kind.empty())
         return {};
@@ -90,8 +93,15 @@ class Checker {
                                        : "is infinite; was something divided by zero?");
             return false;
         }
-        if (in_range(number, spec_))
-            return true;
+        if (in_range(number, spec_)) {
+            if (spec_.type == ParamType::integer || std::abs(number) <= largest_number)
+                return true;
+            mistake(fmt::format("{} is out of range; expected {} to {}",
+                                in_words(number, spec_.unit),
+                                in_words(spec_.min.value_or(-largest_number)),
+                                in_words(spec_.max.value_or(largest_number), spec_.unit)));
+            return false;
+        }
         const bool millimetres = spec_.unit == "m" && in_range(number / 1000, spec_);
         mistake(fmt::format("{} is out of range; expected {}", in_words(number, spec_.unit),
                             limits_in_words(spec_)),

@@ -49,11 +49,11 @@ std::size_t mapped_bytes() {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent)
         _exit(1);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGPROF, SIGXCPU, SIGXFSZ})
+    // What ends the parent ends this too, by the signal asked for above.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        std::signal(signal, SIG_IGN);
+    for (const int signal : {SIGPIPE, SIGPROF, SIGXCPU, SIGXFSZ})
         std::signal(signal, SIG_DFL);
-    sigset_t none;
-    sigemptyset(&none);
-    sigprocmask(SIG_SETMASK, &none, nullptr);
     if (pipe_end != channel_descriptor)
         dup2(pipe_end, channel_descriptor);
     close_range(channel_descriptor + 1, ~0U, 0);
@@ -189,7 +189,7 @@ ChildEnd run_in_child(const ChildLimits& limits, const std::function<void(const 
     // When the soft limit equals the hard limit, the kernel sends SIGKILL at RLIMIT_CPU.
     if (signal == SIGXCPU || signal == SIGKILL)
         return ChildEnd::time;
-    return signal == SIGINT || signal == SIGTERM ? ChildEnd::interrupted : ChildEnd::crashed;
+    return ChildEnd::crashed;
 }
 
 } // namespace scree

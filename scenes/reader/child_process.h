@@ -29,7 +29,7 @@ struct ChildLimits {
 };
 
 /// How the child ended.
-enum class ChildEnd { done, time, interrupted, crashed };
+enum class ChildEnd { done, time, crashed };
 
 /// Runs `body` in a forked child that cannot write files or start processes, and passes every
 /// message to `receive`. The child ends when `body` returns. Throws Error (resource) when no child

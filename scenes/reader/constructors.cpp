@@ -233,7 +233,10 @@ int arg(lua_State* state) {
 std::string include_path(lua_State* state, Sandbox& sandbox) {
     const std::string name = text_argument(state, 1, "include(\"file.lua\")");
     const Place place = sandbox.place(state);
-    return resolve_path(name, place.file < 0 ? std::string{} : sandbox.file(place.file));
+    const std::string path =
+        resolve_path(name, place.file < 0 ? std::string{} : sandbox.file(place.file));
+    sandbox.check_may_include(path);
+    return path;
 }
 
 int begin_include(lua_State* state) {

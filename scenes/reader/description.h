@@ -37,10 +37,12 @@ struct Description {
 /// Runs a .lua scene script in a sandboxed child process, or reads a .json description. `families`
 /// are those of the constructors that a script may call ("mesh", ...), as listed by
 /// Catalog::constructor_families(). `overrides` are the values of --set; an override that no
-/// arg(...) uses is an error. Throws Error with all errors found.
+/// arg(...) uses is an error. `readable_folders` are those from which a script may include files,
+/// beside its own. Throws Error with all errors found.
 DescriptionNode read_description(const std::string& path,
                                  const std::map<std::string, std::string>& overrides,
-                                 const std::vector<std::string>& families);
+                                 const std::vector<std::string>& families,
+                                 const std::vector<std::string>& readable_folders = {});
 
 /// Options of to_json. Without locations the text does not change when lines of the script move.
 struct JsonStyle {

@@ -2,6 +2,7 @@
 #include "scenes/reader/sandbox.h"
 
 #include "core/file.h"
+#include "scenes/reader/confinement.h"
 #include "scenes/reader/hidden_names.h"
 #include "scenes/reader/json.h"
 #include "scenes/reader/lua_lexer.h"
@@ -154,6 +155,17 @@ std::string with_lua_names(const std::string& source) {
     return out;
 }
 
+// Where links lead to counts.
+bool lies_in(const std::string& path, const std::string& folder) {
+    std::error_code code;
+    const auto inner = std::filesystem::weakly_canonical(path, code);
+    const auto outer = std::filesystem::canonical(folder, code);
+    if (code)
+        return false;
+    const auto [end, rest] = std::ranges::mismatch(outer, inner);
+    return end == outer.end();
+}
+
 std::string mistakes_json(const std::vector<Diagnostic>& diagnostics) {
     nlohmann::json list = nlohmann::json::array();
     for (const Diagnostic& d : diagnostics)
@@ -218,10 +230,19 @@ const SourceMap& Sandbox::source_map(int index) {
         .first->second;
 }
 
+void Sandbox::check_may_include(const std::string& path) const {
+    if (extension(path) != "lua")
+        throw Error(path + ": is not a script; expected a name that ends in .lua");
+    std::vector<std::string> folders = options_.readable_folders;
+    folders.push_back(folder_of(files_.front()));
+    if (std::ranges::none_of(folders, [&](const auto& folder) { return lies_in(path, folder); }))
+        throw Error(Diagnostic{{},
+                               {},
+                               path + ": lies outside of the scene's folder",
+                               "--allow-read " + folder_of(path) + " lets the script read there"});
+}
+
 void Sandbox::load(lua_State* state, const std::string& path) {
-    std::error_code ignored;
-    if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
-        throw Error(path + ": is not a file");
     sources_.push_back(read_file(path, largest_script));
     const int index = static_cast<int>(files_.size());
     files_.push_back(path);
@@ -314,6 +335,9 @@ std::string Sandbox::describe(const std::string& path) {
 }
 
 void Sandbox::run(const std::string& path) {
+    std::vector<std::string> readable = options_.readable_folders;
+    readable.push_back(folder_of(path));
+    confine_process(path, readable);
     try {
         channel_.send(ScriptMessage::description, describe(path));
     } catch (const Error& error) {

@@ -50,6 +50,10 @@ class Sandbox {
     const std::string& file(int index) const { return files_[static_cast<std::size_t>(index)]; }
     const SourceMap& source_map(int file);
 
+    /// Throws Error unless it is called like a script and lies, behind links, in the folder of the
+    /// scene, below it, or where ScriptOptions::readable_folders allow.
+    void check_may_include(const std::string& path) const;
+
     /// Pushes the compiled script; throws Error when it cannot be read or is not valid Lua.
     void load(lua_State* state, const std::string& path);
 

@@ -2,7 +2,6 @@
 #include "scenes/reader/script.h"
 
 #include "core/file.h"
-#include "core/progress.h"
 #include "core/utf8.h"
 #include "scenes/reader/json.h"
 #include "scenes/reader/sandbox.h"
@@ -46,8 +45,6 @@ class Answer {
     }
 
     DescriptionNode result(ChildEnd end) {
-        if (end == ChildEnd::interrupted)
-            throw Cancelled{};
         if (end == ChildEnd::time)
             fail({path_, 0}, time_message(options_.limits));
         if (end == ChildEnd::crashed || !last_)
@@ -109,12 +106,15 @@ DescriptionNode run_script(const std::string& path, const ScriptOptions& options
 
 DescriptionNode read_description(const std::string& path,
                                  const std::map<std::string, std::string>& overrides,
-                                 const std::vector<std::string>& families) {
+                                 const std::vector<std::string>& families,
+                                 const std::vector<std::string>& readable_folders) {
     const std::string ending = extension(path);
     if (!ending.empty() && ending != "lua" && ending != "json")
         throw Error(path + ": is not a scene; expected .lua or .json");
     if (ending != "json")
-        return run_script(path, {.families = families, .overrides = overrides});
+        return run_script(
+            path,
+            {.families = families, .overrides = overrides, .readable_folders = readable_folders});
     if (!overrides.empty())
         throw Error(Diagnostic{{path, 0},
                                "--set " + overrides.begin()->first,

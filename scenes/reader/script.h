@@ -11,13 +11,14 @@ namespace scree {
 
 /// Resource limits of a script, far above the needs of usual scenes.
 struct ScriptLimits {
-    double seconds = 10;                         // of processor time
+    double seconds = 5;                          // of processor time
     std::size_t memory = std::size_t{512} << 20; // [bytes]
 };
 
 struct ScriptOptions {
     std::vector<std::string> families{};            // of the constructors: "mesh", ...
     std::map<std::string, std::string> overrides{}; // of --set, by name
+    std::vector<std::string> readable_folders{};    // beside the script's own, for include(...)
     ScriptLimits limits{};
     std::function<void(std::string_view)>
         print{}; // receives the output of print(...); empty: stderr

@@ -9,21 +9,22 @@ namespace scree {
 
 const TableSource::Item* TableSource::named(std::string_view name) const {
     // The last of several equal names is used, as in Lua.
-    const auto found = std::find_if(items.rbegin(), items.rend(),
-                                    [&](const Item& item) { return item.name == name; });
-    return found == items.rend() ? nullptr : &*found;
+    const auto after = std::ranges::upper_bound(
+        by_name, name, {}, [&](std::size_t i) { return std::string_view(items[i].name); });
+    if (after == by_name.begin() || items[after[-1]].name != name)
+        return nullptr;
+    return &items[after[-1]];
 }
 
 const TableSource::Item* TableSource::positional(std::size_t index) const {
-    for (const Item& item : items)
-        if (item.name.empty() && index-- == 0)
-            return &item;
-    return nullptr;
+    return index < in_order.size() ? &items[in_order[index]] : nullptr;
 }
 
 namespace {
 
 using Tokens = std::vector<LuaToken>;
+
+constexpr int most_on_a_line = 100;
 
 bool opens_block(const LuaToken& token) {
     return token.is("function") || token.is("if") || token.is("do") || token.is("repeat");
@@ -50,6 +51,13 @@ void find_callee(const Tokens& tokens, std::size_t brace, TableSource& table) {
     table.callee_line = tokens[first].line;
 }
 
+void index_items(TableSource& table) {
+    for (std::size_t i = 0; i < table.items.size(); ++i)
+        (table.items[i].name.empty() ? table.in_order : table.by_name).push_back(i);
+    std::ranges::stable_sort(table.by_name, {},
+                             [&](std::size_t i) { return std::string_view(table.items[i].name); });
+}
+
 // Finds the tables in one pass over the tokens, with a stack of open brackets and blocks.
 class TableFinder {
   public:
@@ -71,6 +79,7 @@ class TableFinder {
             else if (closes(token) && !open_.empty())
                 open_.pop_back();
         }
+        std::ranges::for_each(tables_, index_items);
         return std::move(tables_);
     }
 
@@ -133,7 +142,10 @@ const TableSource* SourceMap::find(std::string_view kind, int line,
     const TableSource* best = nullptr;
     std::ptrdiff_t best_score = 0;
     const auto [begin, end] = by_line_.equal_range(line);
+    int seen = 0;
     for (auto entry = begin; entry != end; ++entry) {
+        if (++seen > most_on_a_line)
+            return nullptr;
         const TableSource& table = tables_[entry->second];
         const auto shared = std::count_if(names.begin(), names.end(), [&](const std::string& name) {
             return table.named(name) != nullptr;

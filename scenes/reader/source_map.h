@@ -21,6 +21,8 @@ struct TableSource {
     int callee_line = 0;
     int line = 0; // of the opening brace
     std::vector<Item> items;
+    std::vector<std::size_t> by_name;  // items with names, in their order
+    std::vector<std::size_t> in_order; // items without
 
     const Item* named(std::string_view name) const;
     const Item* positional(std::size_t index) const; // 0-based
@@ -32,7 +34,8 @@ class SourceMap {
     explicit SourceMap(std::string_view source);
 
     /// The table constructor that is the argument of the call `kind { ... }` on `line`, or null
-    /// when none matches. `names` are its fields, which distinguish several tables on one line.
+    /// when none matches. `names` are its fields, which distinguish several tables on one line, up
+    /// to a hundred: in a script on a single line there is nothing to tell apart.
     const TableSource* find(std::string_view kind, int line,
                             const std::vector<std::string>& names) const;
 

@@ -315,18 +315,6 @@ TEST_F(Cli, ReferencePageIsUpToDate) {
               read_file(std::string(SCREE_SOURCE_DIR) + "/docs/reference.md"));
 }
 
-TEST_F(Cli, CtrlCKeepsThePictureSoFar) {
-    const std::string command =
-        "cd '" + folder_.path().string() + "'; '" + SCREE_PROGRAM +
-        "' render small.lua -o a.exr --spp 1000000 2>err.txt & "
-        "for i in $(seq 300); do grep -q layout: err.txt && break; sleep 0.1; done; "
-        "sleep 1; kill -INT $!; wait $!";
-    EXPECT_EQ(std::system(command.c_str()), 0);
-    const std::string said = read_file(path("err.txt"));
-    EXPECT_NE(said.find("interrupted: the picture holds what was done"), std::string::npos) << said;
-    EXPECT_EQ(read_exr(path("a.exr")).parts[0].image.width, 48);
-}
-
 TEST_F(Cli, HeightWritesTheMapInMetres) {
     write_file(path("leather.lua"),
                "local tile = { preset = arg('preset', 'pebbled'), size = 0.04, resolution = 64,\n"

@@ -334,5 +334,22 @@ TEST_F(OptionsCli, ViewShowsAnEnvironmentPicture) {
     EXPECT_NEAR(shown.at(0, 0)[2], 0.0F, 0.01F);
 }
 
+TEST_F(OptionsCli, NumbersThatMakeNoSenseAreRefused) {
+    const auto refused = [&](const std::string& option, const std::string& value,
+                             const std::string& expected) {
+        const Outcome outcome = run("render named.lua --quiet " + option + " " + value);
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_EQ(outcome.err, "scree render: " + option + ": expected " + expected + "; got " +
+                                   value + "\n  see scree render --help\n");
+    };
+    for (const char* value : {"nan", "inf", "0", "-1", "1e999", "2s"}) {
+        refused("--time", value, "a number above 0");
+        refused("--noise", value, "a number above 0");
+    }
+    for (const char* value : {"-1", "18446744073709551616", "99999999999999999999", "1.5", "x"})
+        refused("--seed", value, "a whole number from 0 to 18446744073709551615");
+    refused("--seed", "+1", "a whole number from 0 to 18446744073709551615");
+}
+
 } // namespace
 } // namespace scree

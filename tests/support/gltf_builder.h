@@ -2,8 +2,8 @@
 // glTF files, built piece by piece.
 #pragma once
 
+#include "core/base64.h"
 #include "core/math.h"
-#include "formats/base64.h"
 #include "tests/support/mesh_bytes.h"
 
 #include <nlohmann/json.hpp>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Layouts of pictures as pixels and as SVG, which must look the same.
+#include "core/base64.h"
 #include "core/display_encoding.h"
 #include "core/drawing.h"
 #include "core/drawing_raster.h"
 #include "core/random.h"
-#include "formats/base64.h"
 #include "formats/layout_picture.h"
 #include "geometry/plane/ground_plane.h"
 #include "geometry/plane/picture_shape.h"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reading of pictures, and rejection of invalid ones.
+#include "core/base64.h"
 #include "core/display_encoding.h"
 #include "core/drawing.h"
 #include "core/drawing_raster.h"
+#include "core/embedded_picture.h"
 #include "tests/support/pictures.h"
 
 #include <gtest/gtest.h>
@@ -154,7 +156,9 @@ TEST(Drawing, ScriptsEntitiesAndDepthAreRefused) {
     const test::Folder folder;
     const std::string path =
         folder.write("uses.svg", svg(uses + "</defs><use xlink:href='#u40'/>"));
-    EXPECT_EQ(error_of([&] { read_picture(path); }).find(path + ": cannot be drawn"), 0U);
+    EXPECT_EQ(error_of([&] { read_picture(path); }).find(path + ": line "), 0U);
+    EXPECT_NE(error_of([&] { read_picture(path); }).find("elements are drawn, with clones"),
+              std::string::npos);
 }
 
 // Two drawings with equal ids and classes in one document.
@@ -179,6 +183,58 @@ TEST(Drawing, EmbeddedDrawingsAreIndependent) {
     EXPECT_EQ(image.at(20, 10)[2], 0.0F);
     EXPECT_EQ(image.at(20, 30)[0], 0.0F);
     EXPECT_EQ(image.at(20, 30)[2], 1.0F);
+}
+
+std::string big_endian(std::uint32_t value, int count) {
+    std::string out;
+    for (int i = count - 1; i >= 0; --i)
+        out += static_cast<char>(value >> (8 * i) & 255U);
+    return out;
+}
+
+TEST(EmbeddedPicture, IsBoundedByItsHeader) {
+    const auto problem = [](const std::string& bytes) {
+        return error_of([&] { check_embedded_picture("data:image/png;base64," + base64(bytes)); });
+    };
+    const auto png = [](std::uint32_t width, std::uint32_t height) {
+        return "\x89PNG\r\n\x1a\n" + big_endian(13, 4) + "IHDR" + big_endian(width, 4) +
+               big_endian(height, 4);
+    };
+    const auto jpeg = [](std::uint32_t width, std::uint32_t height) {
+        return "\xff\xd8\xff\xe0" + big_endian(4, 2) + "xx\xff\xc2" + big_endian(11, 2) + "\x08" +
+               big_endian(height, 2) + big_endian(width, 2) + "rest";
+    };
+    EXPECT_EQ(problem(png(4000, 3000)), "no error");
+    EXPECT_EQ(problem(jpeg(4000, 3000)), "no error");
+    const std::string too_large =
+        "holds a picture of 30000 x 30000 pixels; at most 33554432 are read";
+    EXPECT_EQ(problem(png(30000, 30000)), too_large);
+    EXPECT_EQ(problem(jpeg(30000, 30000)), too_large);
+    for (const std::string& bytes :
+         {std::string("GIF89a"), std::string("II*"), png(0, 10), png(10, 10).substr(0, 15),
+          std::string("\xff\xd8\xff\xff\xff")})
+        EXPECT_EQ(problem(bytes), "holds what is no PNG or JPEG picture");
+    for (const char* uri : {"data:image/png,x", "data:image/png;base64,?", "data:image/png;base64"})
+        EXPECT_EQ(error_of([&] { check_embedded_picture(uri); }),
+                  "holds a picture that is not in base64");
+}
+
+TEST(ReadDrawing, ClonesOfClonesAreCounted) {
+    std::string defs = "<rect id='a0' width='1' height='1'/>";
+    for (int i = 1; i <= 11; ++i) {
+        defs += "<g id='a" + std::to_string(i) + "'>";
+        for (int k = 0; k < 10; ++k)
+            defs += "<use href='#a" + std::to_string(i - 1) + "'/>";
+        defs += "</g>";
+    }
+    const auto problem = [&](const std::string& last) {
+        return error_of([&] {
+            read_drawing("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><defs>" +
+                         defs + "</defs><use href='#" + last + "'/></svg>");
+        });
+    };
+    EXPECT_EQ(problem("a4"), "no error");
+    EXPECT_EQ(problem("a11"), "line 1: more than 200000 elements are drawn, with clones");
 }
 
 } // namespace

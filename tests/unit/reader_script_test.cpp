@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scripts: their results, the lines of their fields, and that they cannot escape the sandbox.
+#include "scenes/reader/child_process.h"
+#include "scenes/reader/confinement.h"
 #include "scenes/reader/json.h"
 #include "scenes/reader/scene.h"
 #include "scenes/reader/script.h"
@@ -10,7 +12,13 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <fcntl.h>
 #include <filesystem>
+#include <linux/landlock.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 namespace scree {
 namespace {
@@ -143,6 +151,49 @@ TEST_F(ReaderScript, IncludeGivesTheOtherScriptsValueOnce) {
     EXPECT_EQ(printed_, "read\n");
 }
 
+TEST_F(ReaderScript, IncludesComeFromTheScenesFolderOrWhereTheUserAllows) {
+    const test::Folder far;
+    far.write("size.lua", "return 3");
+    fs::create_symlink(far.file("size.lua"), folder_.file("link.lua"));
+    const std::string outside = ": lies outside of the scene's folder\n  --allow-read ";
+    EXPECT_NE(error_of("return include(\"" + far.file("size.lua") + "\")").find(outside),
+              std::string::npos);
+    EXPECT_NE(error_of("return include(\"link.lua\")").find(outside), std::string::npos);
+    ScriptOptions options;
+    options.readable_folders = {far.path().string()};
+    EXPECT_EQ(std::get<std::int64_t>(run("return include(\"link.lua\")", options)->data), 3);
+}
+
+// The second wall, behind the language: a process that was taken over can do nothing either.
+TEST_F(ReaderScript, TheProcessOfAScriptCanOnlyRead) {
+    if (syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 1)
+        GTEST_SKIP() << "this kernel has no Landlock";
+    const std::string script = write("scene.lua", "return 1");
+    const test::Folder far;
+    const std::string secret = far.write("secret.txt", "secret");
+    std::string answers;
+    run_in_child(
+        {.cpu_seconds = 10, .wall_seconds = 60, .memory = std::size_t{1} << 30},
+        [&](const Channel& channel) {
+            confine_process(script, {folder_.path().string()});
+            const auto can = [&](bool yes) { channel.send(yes ? 'y' : 'n', {}); };
+            can(open(script.c_str(), O_RDONLY) >= 0);
+            can(open(secret.c_str(), O_RDONLY) >= 0);
+            can(open("/etc/passwd", O_RDONLY) >= 0);
+            can(open(folder_.file("new.txt").c_str(), O_WRONLY | O_CREAT, 0600) >= 0);
+            can(unlink(script.c_str()) == 0);
+            can(truncate(script.c_str(), 0) == 0);
+            can(syscall(SYS_tgkill, getppid(), getppid(), 0) == 0);
+            can(socket(AF_INET, SOCK_STREAM, 0) >= 0);
+            can(kill(getppid(), 0) == 0);
+            can(fork() >= 0);
+            can(execl("/bin/true", "true", nullptr) == 0);
+        },
+        [&](char answer, const std::string& /*bytes*/) { answers += answer; });
+    EXPECT_EQ(answers, "ynnnnnnnnnn");
+    EXPECT_TRUE(fs::exists(script));
+}
+
 TEST_F(ReaderScript, NothingLeadsOutOfTheSandbox) {
     for (const char* script : {"os.execute(\"true\")",
                                "io.open(\"x\", \"w\")",
@@ -204,6 +255,22 @@ TEST(SourceMap, FindsTheTableOfACall) {
     const TableSource* d = map.find("mesh.box", 6, {"size"});
     EXPECT_EQ(map.at(d->named("size")->table)->positional(0)->line, 7);
     EXPECT_EQ(map.find("mesh.box", 3, {}), nullptr);
+}
+
+// Quadratic work here once took minutes for a script that a second can run.
+TEST_F(ReaderScript, HugeTablesAndLinesAreReadInLinearTime) {
+    std::string rows;
+    std::string line;
+    for (int i = 0; i < 100'000; ++i) {
+        rows += "{ x = " + std::to_string(i) + " },\n";
+        line += "mesh.box { size = 1 }, ";
+    }
+    const DescriptionNode value =
+        run("return scene { rows = {\n" + rows + "},\n one = { " + line + " } }");
+    const DescriptionNode list = field(value, "rows").value;
+    EXPECT_EQ(std::get<List>(list->data).size(), 100'000U);
+    EXPECT_EQ(field(item(list, 99'999).value, "x").line, 100'001);
+    EXPECT_EQ(std::get<List>(field(value, "one").value->data).size(), 100'000U);
 }
 
 } // namespace

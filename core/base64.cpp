@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "formats/base64.h"
+#include "core/base64.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,2 @@
+local part = include("../parts/box.lua")
+return scene { objects = { part } }

@@ -1,0 +1,2 @@
+local part = include("/etc/passwd")
+return scene { objects = { part } }
