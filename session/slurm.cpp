@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
@@ -199,7 +199,7 @@ class Farm {
     bool is_queued() {
         if (jobs_.empty())
             return false;
-        const Answer answer = ask("squeue --noheader --me --format='%F %T'");
+        const Answer answer = ask("squeue --noheader --me --format='%F %i %T %r'");
         if (answer.code != 0) {
             if (!std::exchange(is_silent_, true))
                 watcher_.warn("the queue does not answer, and is asked again: " +
@@ -210,13 +210,26 @@ class Farm {
         const std::set<std::string> own(jobs_.begin(), jobs_.end());
         std::map<std::string, int> states;
         std::istringstream lines(answer.text);
-        for (std::string id, state; lines >> id >> state;)
-            if (own.contains(id))
+        std::string job;
+        std::string task;
+        std::string state;
+        std::string reason;
+        while (lines >> job >> task >> state && std::getline(lines, reason))
+            if (own.contains(job)) {
                 ++states[lower_case(state)];
+                if (reason.find("launch failed") != std::string::npos)
+                    release(task);
+            }
         states_.clear();
-        for (const auto& [state, count] : states)
-            states_ += fmt::format(" {} {}", count, state);
+        for (const auto& [name, count] : states)
+            states_ += fmt::format(" {} {}", count, name);
         return !states.empty();
+    }
+
+    // Slurm holds a task that a node failed to start, until somebody says that it may start again.
+    void release(const std::string& task) {
+        watcher_.say(task + " could not be started, and is tried again");
+        ask("scontrol release " + shell_word(task));
     }
 
     const FarmPlan& plan_;

@@ -39,7 +39,8 @@ if rm away 2>/dev/null; then
   echo "slurm_load_jobs error: Unable to contact slurm controller"
   exit 1
 fi
-echo "7 RUNNING"
+if rm held 2>/dev/null; then echo "101 101_2 PENDING launch failed requeued held"; fi
+echo "7 7 RUNNING None"
 )sh";
 
 class FarmCli : public tests::CliTest {
@@ -47,7 +48,8 @@ class FarmCli : public tests::CliTest {
     FarmCli() {
         std::filesystem::create_directory(path("bin"));
         for (const auto& [name, text] :
-             {std::pair{"sbatch", fake_sbatch}, std::pair{"squeue", fake_squeue}}) {
+             {std::pair{"sbatch", fake_sbatch}, std::pair{"squeue", fake_squeue},
+              std::pair{"scontrol", "#!/bin/sh\necho \"$*\" >>\"$(dirname \"$0\")/released\"\n"}}) {
             write_file(path(std::string("bin/") + name), text);
             chmod(path(std::string("bin/") + name).c_str(), 0755);
         }
@@ -87,6 +89,7 @@ TEST_F(FarmCli, WhatIsKilledIsSubmittedAgainAndAQueueThatIsAwayIsWaitedFor) {
     EXPECT_EQ(run("render ball.lua --quiet -o whole.exr").code, 0);
     write_file(path("bin/killed"), "2\n4\n");
     write_file(path("bin/away"), "");
+    write_file(path("bin/held"), "");
     const Outcome outcome = farm("--shards 5 -o a.exr --sbatch=--partition=day");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("warning: the queue does not answer, and is asked again: "
@@ -94,6 +97,9 @@ TEST_F(FarmCli, WhatIsKilledIsSubmittedAgainAndAQueueThatIsAwayIsWaitedFor) {
               std::string::npos)
         << outcome.err;
     EXPECT_NE(outcome.err.find("2 of 5 tasks submitted"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("101_2 could not be started, and is tried again"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(read_file(path("bin/released")), "release 101_2\n");
     expect_same("a.exr", "whole.exr");
 }
 
