@@ -147,8 +147,8 @@ TEST_F(FarmCli, WhatNoTaskCouldDoIsRefusedAtOnce) {
         EXPECT_EQ(outcome.err, message + "\n");
     };
     refused("-- --denoise", "--denoise is not for the shards of a farm");
-    refused("-- --spp x", "after --: --spp: Value x not in range 1 to 16777216\n"
-                          "  see scree render --help");
+    refused("-- --seed x", "after --: --seed: expected a whole number from 0 to "
+                           "18446744073709551615; got x\n  see scree render --help");
     refused("--seeds 5", "--seeds 5: expected FIRST..LAST\n  for example --seeds 1..20");
     refused("--seeds 5..3", "--seeds 5..3: expected FIRST..LAST\n  for example --seeds 1..20");
     refused("--seeds 0..9999999",
