@@ -144,7 +144,7 @@ int families(lua_State* state) {
     lua_createtable(state, static_cast<int>(names.size()), 0);
     for (std::size_t i = 0; i < names.size(); ++i) {
         lua_pushlstring(state, names[i].data(), names[i].size());
-        lua_rawseti(state, -2, static_cast<lua_Integer>(i + 1));
+        lua_rawseti(state, -2, static_cast<lua_Integer>(i) + 1);
     }
     return 1;
 }
@@ -233,7 +233,7 @@ int arg(lua_State* state) {
 std::string include_path(lua_State* state, Sandbox& sandbox) {
     const std::string name = text_argument(state, 1, "include(\"file.lua\")");
     const Place place = sandbox.place(state);
-    const std::string path =
+    std::string path =
         resolve_path(name, place.file < 0 ? std::string{} : sandbox.file(place.file));
     sandbox.check_may_include(path);
     return path;
