@@ -100,10 +100,8 @@ FarmJob job_of(const FarmOptions& options, std::uint64_t scene_hash) {
 }
 
 int farm(FarmOptions options) {
-    if (options.output.empty()) {
-        const std::string script = file_name(options.scene.path);
-        options.output = script.substr(0, script.rfind('.')) + ".exr";
-    }
+    if (options.output.empty())
+        options.output = default_picture(options.scene.path);
     check_picture_output(options.output);
     check_render_options(options);
     SceneOptions here = options.scene;
@@ -158,12 +156,10 @@ void add_farm_command(CLI::App& app, Run& run) {
     command->add_option("RENDER_OPTION", options->render_options,
                         "Options of scree render, after --");
     command->footer(
-        "The program, the scene and the output must be under the same paths on all machines. A "
-        "task\n"
-        "that is killed or requeued goes on from its checkpoint; the same command, given again,\n"
-        "watches a farm that runs, and submits what is missing of one that failed. Ctrl-C ends "
-        "the\n"
-        "watching alone.\n"
+        "The program, the scene and the output must be under the same paths on all machines.\n"
+        "A task that is killed or requeued goes on from its checkpoint; the same command, given\n"
+        "again, watches a farm that runs, and submits what is missing of one that failed.\n"
+        "Ctrl-C ends the watching alone.\n"
         "Example:\n  scree farm scenes/toys.lua --shards 64 -o toys.exr -- --spp 1024");
     command->callback([options, &run] { run = [options] { return farm(*options); }; });
 }

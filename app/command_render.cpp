@@ -98,13 +98,6 @@ Shard shard_of(const RenderCommand& command) {
                        "for example --shard 1/4");
 }
 
-std::string output_of(const RenderCommand& command) {
-    if (!command.output.empty())
-        return command.output;
-    const std::string script = file_name(command.scene.path);
-    return script.substr(0, script.rfind('.')) + ".exr";
-}
-
 // The provenance of the picture, and the options that it was rendered with.
 Metadata metadata_of(const Scene& scene, const RenderCommand& command) {
     std::string seeds;
@@ -194,7 +187,8 @@ RenderCare care_of(const RenderCommand& command, const std::string& output,
 
 int run_render(const RenderCommand& command) {
     // Everything that can be invalid is checked before rendering.
-    const std::string output = output_of(command);
+    const std::string output =
+        command.output.empty() ? default_picture(command.scene.path) : command.output;
     check_picture_output(output);
     check_aovs(command.aovs);
     shard_of(command); // throws for an invalid one

@@ -30,6 +30,11 @@ void check_picture_output(const std::string& path) {
     check_writable(path);
 }
 
+std::string default_picture(const std::string& scene) {
+    const std::string script = file_name(scene);
+    return script.substr(0, script.rfind('.')) + ".exr";
+}
+
 std::string beside(const std::string& exr, const std::string& ending) {
     return exr.substr(0, exr.size() - 3) + ending;
 }

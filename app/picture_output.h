@@ -24,6 +24,9 @@ Image write_look(const std::string& png, const Image& image, const PngLook& look
 /// Throws Error unless `path` ends in .exr (usage) and can be written (resource).
 void check_picture_output(const std::string& path);
 
+/// The picture of a scene when none is named: "toys.exr" in the current folder for "a/toys.lua".
+std::string default_picture(const std::string& scene);
+
 /// "toys.png" for "toys.exr" and "png".
 std::string beside(const std::string& exr, const std::string& ending);
 

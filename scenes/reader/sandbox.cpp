@@ -230,12 +230,17 @@ const SourceMap& Sandbox::source_map(int index) {
         .first->second;
 }
 
+std::vector<std::string> Sandbox::readable_folders(const std::string& scene) const {
+    std::vector<std::string> folders = options_.readable_folders;
+    folders.push_back(folder_of(scene));
+    return folders;
+}
+
 void Sandbox::check_may_include(const std::string& path) const {
     if (extension(path) != "lua")
         throw Error(path + ": is not a script; expected a name that ends in .lua");
-    std::vector<std::string> folders = options_.readable_folders;
-    folders.push_back(folder_of(files_.front()));
-    if (std::ranges::none_of(folders, [&](const auto& folder) { return lies_in(path, folder); }))
+    if (std::ranges::none_of(readable_folders(files_.front()),
+                             [&](const auto& folder) { return lies_in(path, folder); }))
         throw Error(Diagnostic{{},
                                {},
                                path + ": lies outside of the scene's folder",
@@ -335,9 +340,7 @@ std::string Sandbox::describe(const std::string& path) {
 }
 
 void Sandbox::run(const std::string& path) {
-    std::vector<std::string> readable = options_.readable_folders;
-    readable.push_back(folder_of(path));
-    confine_process(path, readable);
+    confine_process(path, readable_folders(path));
     try {
         channel_.send(ScriptMessage::description, describe(path));
     } catch (const Error& error) {

@@ -72,6 +72,7 @@ class Sandbox {
     std::vector<std::string> open_files;     // those being run, outermost first
 
   private:
+    std::vector<std::string> readable_folders(const std::string& scene) const;
     std::vector<std::string> scree_names() const;
     void check_overrides(const std::string& path) const;
     std::string describe(const std::string& path);
